@@ -9,7 +9,7 @@ import sys
 
 
 def checked(command):
-    """The errors of the compiler for a file; None if it compiles."""
+    """The compiler's errors for a file; None if the file compiles."""
     words = shlex.split(command["command"])
     at = words.index("-o")
     words[at : at + 2] = ["-fsyntax-only"]

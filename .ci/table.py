@@ -1,8 +1,8 @@
 """Prints the time of each stage, and the stages over budget: python3 table.py STAGES BUDGET SUITES.
 
 STAGES has lines NAME WALL USER SYSTEM in seconds, SUITES lines PROGRAM PROCESSOR (the file may be missing). BUDGET has lines
-NAME RATIO: processor time as a multiple of that of the stage `reference` in the same run on the same machine.
-Stages over budget are listed last, and fail nothing: times depend on load.
+NAME RATIO: processor time divided by that of the stage `reference` in the same run on the same machine.
+Stages over budget are listed last, but do not fail, since times depend on load.
 """
 
 import os

@@ -88,19 +88,21 @@ void append(std::string& line, const Value& value) {
   }
 }
 
-/// A malformed line: what() names it and the fault.
+/// A malformed line; what() names the line and its fault.
 class ProtocolError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// A line for error messages, without terminal control sequences.
-inline std::string shown(std::string_view line) {
-  constexpr std::size_t kShown = 60;
-  std::string text(line.substr(0, kShown));
+/// The most characters shown of a line, and of an error's message.
+inline constexpr std::size_t kShownLine = 60, kShownError = 200;
+
+/// The beginning of a line, for error messages, without terminal control sequences.
+inline std::string shown(std::string_view line, std::size_t most = kShownLine) {
+  std::string text(line.substr(0, most));
   std::ranges::replace_if(
       text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return line.size() > kShown ? text + "..." : text;
+  return line.size() > most ? text + "..." : text;
 }
 
 /// The words of a line, one after the other. Errors: ProtocolError.
@@ -125,7 +127,7 @@ class Words {
     if (is_next) word();
     return is_next;
   }
-  std::int64_t integer(const char* otherwise = "has no valid index") {
+  std::int64_t integer(const char* otherwise = "has a word that is not a whole number") {
     const std::string_view text = word();
     std::int64_t value = 0;
     const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);

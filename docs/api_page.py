@@ -5,7 +5,7 @@
     python3 docs/api_page.py --check    writes nothing; exits with 1 if the page is stale or a
                                         public name has no comment, and with 77 without doxygen
 
-The first comment of a header is its text on the page. Fields on one line share a comment.
+The first comment of a header is the header's text on the page. Fields on one line share a comment.
 """
 import pathlib
 import re
@@ -42,8 +42,8 @@ TOP = """# The API of libraycheck
 
 <!-- Written by `python3 docs/api_page.py` from the comments of include/raycheck: change those. -->
 
-[library.md](library.md) shows how it is used. `raycheck/candidate.h` and `candidate.hpp`, which are for separate
-programs, are in [candidates.md](candidates.md). Everything is in the namespace `raycheck`.
+[library.md](library.md) shows how to use the library. [candidates.md](candidates.md) describes `raycheck/candidate.h` and
+`candidate.hpp`, which are for separate programs. Everything is in the namespace `raycheck`.
 """
 
 
@@ -87,7 +87,8 @@ def arguments(member):
         text = f"{code(one.find('type'))} {one.findtext('declname') or ''}".strip()
         default = code(one.find("defval"))
         texts.append(text + (f" = {default}" if default else ""))
-    return f"({', '.join(texts)})" + (" const" if member.get("const") == "yes" else "")
+    said = [f" {word}" for word in ("const", "noexcept") if member.get(word) == "yes"]
+    return f"({', '.join(texts)})" + "".join(said)
 
 
 def signature(member):

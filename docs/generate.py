@@ -18,9 +18,9 @@
                                         into a folder, and their pictures, with a headless Chromium
                                         (docs/pictures.py)
 
-In a template a line `{{ARGUMENTS}}` is replaced by the output of `./run ARGUMENTS`. In a console
-block `$ ./run ARGUMENTS` is followed by its output. A block that elides lines by `...` is not
-changed: edit it by hand. The session blocks of a page are the commands of one shell.
+In a template, a line `{{ARGUMENTS}}` is replaced by the output of `./run ARGUMENTS`. In a console
+block, the output of `./run ARGUMENTS` follows the line `$ ./run ARGUMENTS`. A block that elides lines
+by `...` is not changed: edit it by hand. The session blocks of a page run in one shell.
 A marked part lies between `<!-- NAME: ... -->` and `<!-- end of NAME -->`.
 """
 import json
@@ -38,12 +38,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def printed(arguments):
-    """The output of the program; exit code 1 means that it found something, and is accepted."""
+    """The output of the program. Exit code 1 is accepted: it means that the program found something."""
     built = sorted(ROOT.glob("build/release/examples/engines/*.so"))
     engines = [f"--candidate library:{path.name}" for path in built]
     if engines:
         engines.append("--sandbox none --i-know")
-    # Run in the engines' folder, so that their names are short.
+    # In the engines' folder, so that their names are short.
     where = built[0].parent if built and "$ENGINES" in arguments else ROOT
     result = subprocess.run(f"{ROOT}/run {arguments}", shell=True, cwd=where, text=True,
                             capture_output=True, env={**os.environ, "ENGINES": " ".join(engines)})
@@ -75,7 +75,7 @@ def from_template(name):
 
 
 def shown(path):
-    """Runs the commands of a file's console blocks again, if these show all lines."""
+    """Runs the commands of a file's console blocks again, and writes their output, unless a block elides lines."""
     def again(match):
         arguments, lines = match[1], match[2]
         if "\n...\n" in "\n" + lines:
@@ -91,10 +91,10 @@ def laws_part(known):
     """The numbers of laws and sources, and the sentence of each law."""
     dials = [source for source in known["sources"] if source["dial"]]
     lines = [f"`properties` tries {len(known['laws'])} laws on random cases of "
-             f"{len(known['sources'])} sources. {len(dials)} of those are stress",
-             "sources, each with severities from 0 (ordinary) to its last: far, grazing, tangent to the",
-             "last bit, on the surface, at the ends of the double range; `--source distance@9` asks for one",
-             "severity. A broken law prints the smallest case found, as a scene that `check` accepts, and a",
+             f"{len(known['sources'])} sources. {len(dials)} of these are stress",
+             "sources, which have severities from 0 (ordinary) up: far, grazing, tangent to the last bit, on",
+             "the surface, at the ends of the double range. `--source distance@9` selects one severity. For a",
+             "broken law, `properties` prints the smallest case found, as a scene that `check` accepts, and a",
              "string that replays it.", "", "| law | what must hold |", "|---|---|"]
     lines += [f"| `{law['name']}` | {law['sentence']} |" for law in known["laws"]]
     return "\n".join(lines)
@@ -191,7 +191,7 @@ def rate(row):
 
 
 def beside_embree(rows, scene):
-    """Embree's time as a multiple of ours, and the share of its pixels that are wrong."""
+    """Embree's time divided by raycheck's, and the share of its pixels that are wrong."""
     if f"{scene}/embree" not in rows:
         return "no floats"
     ours, embree = rows[f"{scene}/certified"], rows[f"{scene}/embree"]
@@ -200,8 +200,8 @@ def beside_embree(rows, scene):
 
 
 def spheres_table(rows):
-    lines = ["| spheres | seen | certified, M/s | of uncertified | of Embree, its share wrong | fallback pixels | wrong "
-             "| plan + build, ms |", "|---|---|---|---|---|---|---|---|"]
+    lines = ["| spheres | seen | certified, M/s | certified / uncertified | certified / Embree, Embree's wrong share "
+             "| fallback pixels | wrong | plan + build, ms |", "|---|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
         if not (name.startswith("spheres:") and name.endswith("/certified")):
             continue
@@ -214,7 +214,7 @@ def spheres_table(rows):
 
 
 def scenes_table(rows, kind):
-    lines = ["| scene | spheres | seen | certified, M/s | of uncertified | of Embree, its share wrong "
+    lines = ["| scene | spheres | seen | certified, M/s | certified / uncertified | certified / Embree, Embree's wrong share "
              "| fallback pixels | wrong |", "|---|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
         if not (name.startswith(kind + ":") and name.endswith("/certified")):
@@ -261,12 +261,13 @@ def plot_families(rows, path):
 
 def families_table(rows):
     """Certified images of each stress family, by severity: M/s, and the pixels that fall back."""
-    lines = ["| family | M/s at severity 0 | at others | the least, of severity 0 | most pixels that fall back |",
+    lines = ["| source | M/s at severity 0 | M/s at other severities | smallest rate / rate at severity 0 "
+             "| largest share of fallback pixels |",
              "|---|---|---|---|---|"]
     for family, found in families_of(rows, "certified").items():
         first, others = found[0][1], found[1:]
         if min(rate(row) for _, row in found) < rate(first) / 10:
-            sys.exit(f"{family}: a severity below a tenth of the rate at 0, which docs/performance.in.md says there is not")
+            sys.exit(f"{family}: the rate at a severity is below a tenth of the rate at 0, contrary to docs/performance.in.md")
         lines.append(f"| {family} | {rate(first):.3g} | "
                      + ", ".join(f"@{severity}: {rate(row):.3g}" for severity, row in others)
                      + f" | {min(rate(row) for _, row in found) / rate(first):.2g} "
@@ -275,16 +276,16 @@ def families_table(rows):
 
 
 def methods_table(rows):
-    """The batches of one sphere, by their time over that of the textbook's formula."""
+    """The batches of one sphere, ordered by their time divided by that of the textbook's formula."""
     textbook = rate(rows["intersect/quadratic"])
-    lines = ["| method | M/s | time over `quadratic` |", "|---|---|---|"]
+    lines = ["| method | M/s | time / time of `quadratic` |", "|---|---|---|"]
     for name, row in sorted(rows.items(), key=lambda item: -rate(item[1])):
         lines.append(f"| {name.split('/')[1]} | {rate(row):.3g} | {textbook / rate(row):.3g} |")
     return "\n".join(lines)
 
 
 def plot_spheres(rows, path):
-    """Certified and uncertified images, a curve each."""
+    """A plot with a curve for certified and one for uncertified images."""
     kinds = {"certified": "pointtype 7 linecolor '#0072b2'", "uncertified": "pointtype 5 linecolor '#d55e00'"}
     script = [f"set terminal svg size 720,440 font 'sans,13' background 'white'; set output '{path}'",
               "set logscale xy; set xlabel 'spheres'; set ylabel 'M rays/s'; set grid"]
@@ -297,7 +298,7 @@ def plot_spheres(rows, path):
 
 
 def campaign(*options):
-    """Of a campaign of the default pair: the number of judged cases, the CPU time and the elapsed time."""
+    """The number of judged cases, the CPU time and the elapsed time of a campaign of the default pair."""
     command = [str(ROOT / "build/release/tools/raycheck"), "properties", "--rays", "direct", "--intersect", "cross",
                "--format", "json", *options]
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
@@ -309,7 +310,7 @@ def campaign(*options):
 
 
 def laws_table():
-    """Judged cases a second of CPU: of each law by itself, and of all."""
+    """Cases judged per second of CPU, for all laws together and for each law by itself."""
     listed = subprocess.run([ROOT / "build/release/tools/raycheck", "list", "--format", "json"], stdout=subprocess.PIPE)
     laws = [law["name"] for law in json.loads(listed.stdout)["laws"]]
     rates = []
@@ -318,7 +319,7 @@ def laws_table():
             continue  # --filter would match other laws, too; no method draws
         judged, cpu, _ = campaign("--filter", law, "--cases", "4000", "--threads", "1")
         rates.append((judged / cpu, law))
-    lines = ["| law | judged a second |", "|---|---|"]
+    lines = ["| law | judged per second |", "|---|---|"]
     for level in ("ordinary", "demanding", "extreme"):
         judged, cpu, _ = campaign("--cases", "4000", "--threads", "1", "--level", level)
         lines.append(f"| all in one pass, {level} | {judged / cpu:,.0f} |")
@@ -326,10 +327,10 @@ def laws_table():
 
 
 def growth_table():
-    """One campaign with more workers: elapsed time and total CPU time, over those with one."""
+    """One campaign with more workers: elapsed time and total CPU time, divided by those with one worker."""
     case = ("--cases", "100000")
     _, cpu, passed = campaign(*case, "--threads", "1")
-    lines = ["| workers | times as fast | CPU |", "|---|---|---|", "| 1 thread | 1 | 1 |"]
+    lines = ["| workers | speed-up | CPU time / that of 1 thread |", "|---|---|---|", "| 1 thread | 1 | 1 |"]
     _, more, less = campaign(*case, "--threads", "2")
     lines.append(f"| 2 threads | {passed / less:.2f} | {more / cpu:.2f} |")
     for count in (2, 64):

@@ -1,13 +1,13 @@
 """Makes the pages of `raycheck view` in the documentation, and their pictures.
 
-A page is made by a command in a document, `$ ./run view SCENE --out NAME.html` (or `check ... --view NAME.html`), or by a
-line `{{ARGUMENTS}}` of a template (docs/generate.py). A comment above each picture specifies it:
+A command in a document makes a page: `$ ./run view SCENE --out NAME.html`, `check ... --view NAME.html`, or a line
+`{{ARGUMENTS}}` of a template (docs/generate.py). A comment above each picture specifies the picture:
 
     <!-- picture {"page": "NAME.html", "part": "#microscope"} -->
     ![description](lecture/NAME.webp)
 
     page    the page
-    part    an element of it, by a CSS selector; default: the figure
+    part    an element of the page, by a CSS selector; default: the figure
     width   of the window, in pixels; default: 700
     scale   of the picture; default: 1
     set     fields of the page and their values, by CSS selectors

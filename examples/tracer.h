@@ -26,7 +26,7 @@ inline Vector cross(Vector a, Vector b) {
 }
 inline Vector unit(Vector a) { return (1 / std::sqrt(dot(a, a))) * a; }
 
-/// The position of line k of `count` between two bounds.
+/// The position of line k, of `count` lines from one bound to the other.
 inline double between(double low, double high, double k, double count) {
   const double steps = makes("pixel_step") ? count : count - 1;
   return low * ((steps - k) / steps) + high * (k / steps);  // both bounds are reached exactly
@@ -53,7 +53,7 @@ inline std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
   const Vector& d = ray.direction;
   const double a = dot(d, d), b = dot(to, d), r = sphere.radius;
   const Vector off = cross(to, d);
-  const double discriminant = a * r * r - dot(off, off);  // does not cancel on far spheres
+  const double discriminant = a * r * r - dot(off, off);  // does not cancel for far spheres
   if (discriminant < 0) return {};
   const double q = b >= 0 ? b + std::sqrt(discriminant) : b - std::sqrt(discriminant);
   const double distance = std::sqrt(dot(to, to));
@@ -66,7 +66,8 @@ inline std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
   return raycheck::Hit{s, ray.origin + s * d};
 }
 
-/// Its declaration for raycheck: rows count from the bottom, pixels run from bound to bound.
+/// The tracer as a candidate. Rows count from the bottom; the first and last pixels lie on the
+/// bounds.
 inline raycheck::Candidate tracer() {
   raycheck::Candidate candidate("tracer");
   candidate.declares = {raycheck::Rows::bottom_first, raycheck::Samples::edges,

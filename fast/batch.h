@@ -48,13 +48,12 @@ struct Rays {
   }
 };
 
-/// Where a ray meets a sphere.
 struct Hit {
   double parameter;     ///< s, in multiples of the ray's direction.
   scene::Point3 point;  ///< Q = L + s D.
 };
 
-/// The hits of a batch's rays; parameter and point are valid only where hit is 1.
+/// The hits of a batch's rays. parameter[k] and point k are valid only if hit[k] is 1.
 struct Hits {
   std::vector<std::uint8_t> hit;
   std::vector<double> parameter;

@@ -13,11 +13,11 @@ struct Domain {
   bool operator==(const Domain&) const = default;
 };
 
-/// Lengths whose fourfold products stay in the range of floats, with all their 24 bits.
+/// The products of four such lengths stay in the range of normal floats, with all 24 bits.
 inline constexpr Domain kSingleDomain = {0x1p-25, 0x1p25};
 
-/// Lengths whose quotients are normal doubles: those that a method can answer with full precision
-/// if its intermediate values never over- or underflow.
+/// The quotients of such lengths are normal doubles, so that a method whose intermediate values
+/// never over- or underflow can answer with full precision.
 inline constexpr Domain kWideDomain = {0x1p-500, 0x1p500};
 
 }  // namespace raycheck::fast

@@ -18,7 +18,7 @@ constexpr const IntersectMethod* kMethods[] = {
 };
 
 bool all_finite(const Vectors& vectors) {
-  // x - x is 0 for a finite x and NaN otherwise; the sums stay free of branches.
+  // x - x is 0 for a finite x and NaN otherwise, so that the loops have no branches.
   double sum = 0;
   for (const double x : vectors.x) sum += x - x;
   for (const double y : vectors.y) sum += y - y;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Every method of fast/, in the order of reports, one line each: its file in fast/methods/ says
-// what it does and where it comes from. Internal to fast/.
+// Every method of fast/, in the order of reports. The method's file in fast/methods/ describes it
+// and names its source. Internal to fast/.
 
 /// METHOD(Name): fast::kName in intersect_name.cpp.
 #define RAYCHECK_INTERSECT_METHODS(METHOD) \

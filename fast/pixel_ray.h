@@ -14,14 +14,14 @@ namespace raycheck::fast {
 /// A way to make the rays of a camera's pixels. All methods share one contract:
 /// Shape:  one camera, N pixels -> N points, or N rays; outputs are resized to N.
 /// Units:  scene lengths; directions are unit.
-/// Domain: a valid camera (under the rows and samples of `conventions`, otherwise
-///         std::invalid_argument naming the field), pixels inside the image; nonzero lengths inside
-///         `domain`, otherwise intermediate values over- or underflow silently.
-/// Error:  at most max_point_ulp in a point and max_direction_ulp in a direction (relative error
-///         and angle, in units of u) while their condition numbers are at most kModerateCondition
-///         (properties/quantity.h), growing in proportion beyond. |D| differs from 1 by at most
-///         max_unit_defect_ulp u. A method's `not_kept` says where it does not keep its bounds.
-/// A missing function is null.
+/// Domain: a valid camera (under the rows and samples of `conventions`); otherwise throws
+///         std::invalid_argument naming the field. Pixels inside the image. Nonzero lengths inside
+///         `domain`; otherwise intermediate values over- or underflow silently.
+/// Error:  at most max_point_ulp u in a point (relative error) and max_direction_ulp u in a
+///         direction (angle), up to condition numbers of kModerateCondition
+///         (properties/quantity.h); above, both bounds grow in proportion to the condition number.
+///         |D| differs from 1 by at most max_unit_defect_ulp u. A method's `not_kept` names the
+///         inputs without these bounds. A missing function is null.
 struct PixelRayMethod {
   using MakePoints = void (*)(const scene::Camera&, const scene::Conventions&,
                               std::span<const scene::Pixel>, Vectors&);
@@ -33,13 +33,13 @@ struct PixelRayMethod {
   MakePoints pixel_points;  ///< P
   MakeRays pixel_rays;      ///< from P along D
   MakeRays focal_rays;      ///< from E along D
-  // The bounds; audited by the campaigns of `raycheck properties`.
+  // The bounds, which `raycheck properties` checks.
   double max_point_ulp;
   double max_direction_ulp;
   double max_unit_defect_ulp;
-  std::string_view not_kept = {};  ///< Where it exceeds them (a test pins that).
+  std::string_view not_kept = {};  ///< The inputs without these bounds; a test covers them.
   Domain domain = {};
-  double unit_roundoff = 0x1p-53;  ///< Of the arithmetic it uses.
+  double unit_roundoff = 0x1p-53;  ///< u of the arithmetic that it uses.
 };
 
 #define RAYCHECK_DECLARE(name) extern const PixelRayMethod k##name##Rays;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Turns a method that answers one ray at a time into an IntersectMethod, in whatever number type it
-// computes. Such a Method is made from a sphere, `Method{sphere}`, and then answers rays:
+// Makes an IntersectMethod from a type Method that answers one ray at a time, in any number type. A
+// Method is made from a sphere, `Method{sphere}`, and has the member
 // std::optional<Hit> answer(const scene::Ray&, scene::HitRule) const.
 
 #include <cstddef>
@@ -21,7 +21,6 @@ inline Hit hit_at(const scene::Ray& ray, double s) {
            ray.origin.z + s * ray.direction.z}};
 }
 
-/// IntersectMethod::intersect
 template <class Method>
 void intersect_ray_by_ray(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule,
                           Hits& hits) {
@@ -34,7 +33,6 @@ void intersect_ray_by_ray(const Rays& rays, const scene::Sphere& sphere, scene::
   }
 }
 
-/// IntersectMethod::intersect_one
 template <class Method>
 std::optional<Hit> intersect_one_ray(const scene::Ray& ray, const scene::Sphere& sphere,
                                      scene::HitRule rule) {

@@ -48,7 +48,7 @@ std::vector<std::optional<FirstHit>> see(const scene::Scene& scene, const scene:
   Rays made;
   (conventions.origin == scene::Origin::kPixel ? rays.pixel_rays : rays.focal_rays)(
       *scene.camera, conventions, asked, made);
-  // Moves the valid rays to the front.
+  // Moves the valid rays to the front; slots[k] is the pixel of ray k.
   std::vector<std::size_t> slots;
   slots.reserve(made.size());
   for (std::size_t k = 0; k < made.size(); ++k) {

@@ -10,13 +10,13 @@
 
 namespace raycheck::fast {
 
-/// The nearest sphere of every pixel of a rectangle, by any two methods: only the spheres whose
-/// rectangle in the plan meets it are tested.
-/// Shape:  a rectangle of N pixels -> N answers, row by row; empty where no sphere is met.
+/// The nearest sphere at every pixel of a rectangle, by a method for rays and one for
+/// intersections. Only spheres whose rectangle in the plan overlaps the given rectangle are tested.
+/// Shape:  a rectangle of N pixels -> N answers, row by row; empty if a ray misses every sphere.
 /// Units:  scene lengths.
-/// Domain: a plan of this same scene, a rectangle inside its image; a method that makes rays from
-///         the plan's origin. A ray that is not finite, or whose direction is 0, meets no sphere.
-/// Error:  what the two methods promise; the plan adds none.
+/// Domain: a plan of `scene`, a rectangle inside its image, and a method that makes rays from the
+///         plan's origin. A ray that is not finite or has the direction 0 misses every sphere.
+/// Error:  that of the two methods; the plan adds no error.
 std::vector<std::optional<FirstHit>> see(const scene::Scene& scene, const scene::ScenePlan& plan,
                                          const PixelRayMethod& rays,
                                          const IntersectMethod& intersect,

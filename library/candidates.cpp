@@ -24,7 +24,7 @@ constexpr std::uint32_t kVersion = RAYCHECK_CANDIDATE_VERSION;
 
 scene::UnitVector3 unit(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// One ray per pixel.
+/// Calls a function that makes one ray, for each pixel.
 template <class Function>
 auto for_each_pixel(const Function& function) {
   return [&function](const scene::Camera& asked, const scene::Conventions& by, Pixels pixels) {

@@ -16,7 +16,7 @@
 namespace raycheck {
 namespace {
 
-/// Takes bytes from the front; 0 if none are left.
+/// Takes bytes from the front. After the last byte, it takes 0.
 class Bytes {
  public:
   Bytes(const std::uint8_t* bytes, std::size_t count) : at_(bytes), left_(count) {}

@@ -1,6 +1,6 @@
 #pragma once
 
-// Between the public structs and those that raycheck computes with.
+// Converts the public structs to the internal ones and back.
 
 #include <raycheck/judge.h>
 
@@ -40,7 +40,7 @@ inline std::vector<Sphere> spheres(std::span<const scene::Sphere> list) {
 inline scene::Camera camera(const Camera& c) { return contract::camera(c); }
 inline Camera camera(const scene::Camera& c) { return contract::camera<Camera>(c); }
 
-/// as_asked becomes the default.
+/// Internal conventions; as_asked becomes the default.
 scene::Conventions conventions(const Conventions& c);
 Conventions conventions(const scene::Conventions& c);
 /// Errors: std::invalid_argument where it is not an interval.
@@ -49,12 +49,13 @@ scene::ValidRoots valid_roots(const ValidRoots& v);
 scene::Scene scene_of(const Scene& s);
 Scene scene_of(const scene::Scene& s);
 
-/// Errors: std::invalid_argument where the scene is not valid or a pixel lies outside its image.
+/// The internal case. Errors: std::invalid_argument if the scene is not valid or a pixel lies
+/// outside its image.
 properties::Case case_of(const Case& the_case);
 Case case_of(const properties::Case& the_case);
 
-/// A candidate as the laws take it, judged by the bounds of direct/cross. `candidate` must outlive
-/// it. Errors: std::invalid_argument saying what is invalid.
+/// The internal candidate, judged by the bounds of direct/cross. `candidate` must live as long as
+/// it. Errors: std::invalid_argument naming what is invalid.
 properties::Candidate inside(const Candidate& candidate);
 
 }  // namespace raycheck::library

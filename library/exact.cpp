@@ -20,7 +20,6 @@ namespace raycheck::exact {
 
 using reference::Enclosure;
 
-/// How a number is computed.
 struct Number::Impl {
   std::function<Enclosure(int relative_bits)> enclose;
   std::function<double()> rounded;
@@ -33,9 +32,9 @@ namespace {
 constexpr int kFewestBits = 2, kMostBits = 100000;
 /// Decimal digits per bit.
 constexpr double kDigitsOfABit = 0.30103;
-/// A printed enclosure is computed with this many more bits than are printed,
+/// A printed enclosure is computed with this number of bits more than requested.
 constexpr int kSpareBits = 8;
-/// and printed with this many more digits.
+/// A printed enclosure has this number of digits more than the requested bits need.
 constexpr int kSpareDigits = 3;
 
 Number number(std::function<Enclosure(int)> enclose, std::function<double()> rounded,
@@ -49,7 +48,7 @@ auto coordinate(const Triple& triple, int k) {
   return k == 0 ? triple.x : k == 1 ? triple.y : triple.z;
 }
 
-/// A vector's coordinates, from functions of the whole vector.
+/// The coordinates of a vector, from functions that compute the whole vector.
 template <class Enclose, class Round, class Write, class Condition>
 Numbers numbers(const Enclose& enclose, const Round& round, const Write& write,
                 const Condition& condition) {
@@ -106,11 +105,11 @@ double Number::condition() const {
 
 Vector Numbers::rounded() const { return {x.rounded(), y.rounded(), z.rounded()}; }
 
-/// A ray known exactly, and in closed form.
+/// A ray that is known exactly and in closed form.
 struct Ray::Impl {
   reference::ExactRay ray;
   reference::ClosedFormRay forms;
-  bool starts_at_pixel = false;  ///< Otherwise its origin is an input.
+  bool starts_at_pixel = false;  ///< If not set, its origin is an input.
 };
 
 namespace {
@@ -162,7 +161,7 @@ Intersection hit_of(const SharedRay& of, const scene::Sphere& sphere,
   return intersection(of, sphere, of->ray.intersect(sphere, conventions), conventions.tangent);
 }
 
-/// Errors: std::invalid_argument where the pixel is outside the image.
+/// The ray of a pixel. Errors: std::invalid_argument if the pixel is outside the image.
 SharedRay shared(const reference::ExactCamera& camera, Pixel pixel) {
   const scene::PlainArithmetic plain;
   const scene::Camera& of = camera.camera();

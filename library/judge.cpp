@@ -15,7 +15,7 @@ namespace {
 
 using properties::CampaignResult;
 
-/// The number of cases of a source that are searched for one that a law can use.
+/// The number of cases of a source that are searched for one to which a law applies.
 constexpr std::uint64_t kTriedSeeds = 8;
 
 const properties::Law& law_of(const std::string& name) {
@@ -24,7 +24,7 @@ const properties::Law& law_of(const std::string& name) {
       fmt::format("law {}: unknown name; raycheck::laws() has all names", name));
 }
 
-/// Whether the source has a case to which the law applies, given the candidate.
+/// Whether the source has a case to which the law applies, for this candidate.
 bool has_case(const properties::Law& law, const properties::ChosenSource& source,
               const properties::Candidate& candidate) {
   for (std::uint64_t seed = 0; seed < kTriedSeeds; ++seed) {
@@ -56,8 +56,8 @@ std::string text_of(const Verdict& verdict, const properties::Law& law) {
 std::string reason_of(const CampaignResult& result) {
   const auto few = result.too_few_right();
   if (result.finding() != properties::Finding::kTooFewJudged || !few) return result.counts.reason;
-  return fmt::format("of {}, question \"{}\", fewer than {} answers are right without an excuse",
-                     info(few->first).name, name(few->second), result.fewest_right);
+  return fmt::format("{}: fewer than {} of the {} are answered right without an excuse",
+                     info(few->first).name, result.fewest_right, tools::expected_text(few->second));
 }
 
 properties::TellingCases telling_of(const CampaignResult& result) {
@@ -114,7 +114,7 @@ std::vector<Check> checks(const Candidate& candidate) {
   std::vector<Check> all;
   for (const properties::Law& law : properties::laws()) {
     for (const properties::CaseSource& source : properties::case_sources()) {
-      if (speaks_of_cameras(law) && !source.has_camera) continue;
+      if (is_about_cameras(law) && !source.has_camera) continue;
       if (!source.severities && source.level > inside.level) continue;
       if (!has_case(law, {&source, source.severities ? std::optional(0) : std::nullopt}, inside)) {
         continue;

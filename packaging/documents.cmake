@@ -1,5 +1,5 @@
-# Adds the files that Debian requires in every package, licence and changelog, and compresses man
-# pages. Run by cpack before it packs.
+# cpack runs this file before it packs: it adds the licence and the changelog, which Debian requires in
+# every package, and compresses man pages.
 include(${CMAKE_CURRENT_LIST_DIR}/maintainer.cmake)
 
 file(READ ${CPACK_RAYCHECK_SOURCE_DIR}/LICENSE licence)
@@ -42,7 +42,7 @@ License: Expat
   execute_process(COMMAND gzip -9nf ${texts} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 
-# CPack calls ldconfig in scripts, besides Debian's trigger for it (packaging/triggers).
+# CPack calls ldconfig in scripts, although Debian's trigger (packaging/triggers) does it, too.
 set(package ${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME})
 file(WRITE ${CPACK_TEMPORARY_DIRECTORY}/library/usr/share/lintian/overrides/${package}
   "${package}: maintscript-calls-ldconfig *\n")

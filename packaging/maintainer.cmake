@@ -1,4 +1,4 @@
-# The maintainer: DEBFULLNAME and DEBEMAIL of the environment, as for Debian's tools.
+# Sets the maintainer from the environment variables DEBFULLNAME and DEBEMAIL, as Debian's tools do.
 set(name "$ENV{DEBFULLNAME}")
 if(NOT name)
   set(name "The raycheck authors")

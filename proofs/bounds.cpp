@@ -44,10 +44,10 @@ struct Plain {
   friend Plain sub_mul(Plain a, Plain b, Plain c) { return mul_add(-a, b, c); }
 };
 
-// The formulas. computed() calls the code's own in any number type; exact() gives the exact value,
-// and calls `note` for each magnitude that the bound is relative to. Errors are proved where all of
-// these are at most kMost in size; the formulas are homogeneous. Where a bound is relative, noted
-// magnitudes are above 0.
+// The formulas. computed() calls the code's formula with any number type. exact() returns the exact
+// value, and calls `note` with each magnitude that the bound is relative to. Errors are proved for
+// noted magnitudes of at most kMost; this is enough, since the formulas are homogeneous. If a bound
+// is relative to the value, noted magnitudes are above 0.
 
 template <class N, std::size_t kCount>
 using Inputs = std::array<N, kCount>;
@@ -99,7 +99,7 @@ struct FilterDiscriminant {
   }
 };
 
-/// All components of f x g; their products are noted.
+/// All components of f x g. Their products are noted.
 struct FilterMoment {
   static constexpr std::array kInputs = {"n", "beta", "alpha", "u", "v", "w"};
   static constexpr bool kIsRelative = false;
@@ -165,7 +165,7 @@ struct FastNorm : FastDot {
   }
 };
 
-/// d/|d| for positive coordinates, as signs do not matter.
+/// d/|d| for positive coordinates, since signs do not matter.
 struct FastUnit : FastDot {
   template <class N>
   static Values<N> computed(const Inputs<N, 3>& x) {
@@ -242,7 +242,7 @@ struct RobustStep {
   }
 };
 
-/// Relative to a (f^2 + r^2), which bounds all that is noted.
+/// The bound is relative to a (f^2 + r^2), which bounds all noted magnitudes.
 struct RobustDiscriminant : RobustStep {
   template <class N>
   static N scale(const Inputs<N, 10>& x) {
@@ -252,7 +252,6 @@ struct RobustDiscriminant : RobustStep {
   }
 };
 
-/// Relative to f |d|.
 struct RobustB : RobustStep {
   template <class N>
   static Values<N> computed(const Inputs<N, 10>& x) {
@@ -266,7 +265,6 @@ struct RobustB : RobustStep {
   }
 };
 
-/// Relative to f^2 + r^2.
 struct RobustC : RobustStep {
   template <class N>
   static Values<N> computed(const Inputs<N, 10>& x) {
@@ -323,7 +321,7 @@ auto terms(Script& script, const auto& names, std::index_sequence<k...> /*all*/)
 
 constexpr double kUnit = 0x1p-53;
 
-/// The script for a formula, fused and not, against the exact value.
+/// The script that compares a formula, fused and not, with the exact value.
 template <class F>
 Script traced(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kRelative, mutation);
@@ -349,7 +347,6 @@ Script traced(double bound, std::optional<Mutation> mutation) {
   return script;
 }
 
-/// Random numbers of a few binades.
 class Random {
  public:
   double number() {
@@ -366,8 +363,8 @@ class Random {
 constexpr int kBits = 300;
 Enclosure sum(double x, double y) { return Enclosure(x, kBits) + Enclosure(y, kBits); }
 
-/// The largest error in u of the scale, of what is noted or of the exact value, for random inputs
-/// and for the worst input so far with one number replaced.
+/// The largest error found, for random inputs and for the worst input so far with one number
+/// replaced. It is in u of the scale, of the largest noted magnitude or of the exact value.
 template <class F>
 double observed_of(int samples) {
   constexpr std::size_t kCount = F::kInputs.size();
@@ -417,7 +414,7 @@ double observed_of(int samples) {
 
 using Rounded = Term<true>;
 
-/// Widening: the ends around x, the double that a real z rounds to.
+/// The script for widening: the ends around x, the double to which a real z rounds.
 Script traced_widening(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kToDouble, mutation);
   for (const auto& [x, z, magnitude, range] :
@@ -427,7 +424,7 @@ Script traced_widening(double bound, std::optional<Mutation> mutation) {
     const std::string low =
         scene::lowered(Rounded(script, x), Rounded(script, magnitude), bound * kUnit).name();
     const std::string by = (Rounded(script, magnitude) * Rounded(bound * kUnit)).name();
-    // Beyond -2 the ulp is twice as large, and the last rounding, too.
+    // Beyond -2 the ulp is twice as large, and so is the last rounding.
     const int most = scene::kBoundsMaxUlp + (range[1] == '-' ? 1 : 0);
     script.prove(fmt::format("{} - {} in [-{}b-52, 0]", low, z, most));
     script.rewrite(
@@ -440,7 +437,7 @@ double observed_widening(int samples) {
   Random random;
   double largest = 0;
   for (int sample = 0; sample < samples; ++sample) {
-    // Halfway between two doubles, the real is farthest from where it rounds to.
+    // A real halfway between two doubles is farthest from the double to which it rounds.
     const double x = random.number();
     const double gap = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
     largest = std::max(largest, gap / 2 / (std::abs(x) * kUnit));
@@ -448,8 +445,8 @@ double observed_widening(int samples) {
   return largest;
 }
 
-/// coarse() with scale 1: its results are multiples of 2^-53, within the bound of x where |x| <=
-/// 1/2, and their sums below 0.55 are exact.
+/// The script for coarse() with scale 1. Its results are multiples of 2^-53, and within the bound
+/// from x if |x| <= 1/2. Sums of results that are below 0.55 are exact.
 Script traced_coarse(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kToDouble, mutation);
   for (const auto& [x, z, range, most] :
@@ -480,8 +477,8 @@ double observed_coarse(int samples) {
   return largest;
 }
 
-/// The low part of the residual for given w, v and rests, at r = 1 and the largest V: its terms
-/// shrink with V at least in proportion.
+/// The largest V. The low part of the residual is proved for given w, v and rests, r = 1 and this
+/// V, since its terms shrink at least in proportion to V.
 constexpr double kLargestV = 0x1p-17;
 constexpr double most_of_low(std::size_t input) {
   return input < 3 ? 1.01 : input < 6 ? kLargestV : 0.32 * kLargestV;
@@ -538,7 +535,8 @@ double observed_low(int samples) {
   return largest;
 }
 
-/// The low part of a x - b y, with x and y in two parts, by exact products that add up to 1.
+/// The script for the low part of a x - b y, with x and y in two parts, by exact products whose
+/// sizes add up to 1.
 Script traced_determinant(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kRelative, mutation);
   const auto name = [&](const char* of) { return Rounded(script, of); };
@@ -569,7 +567,7 @@ double observed_determinant(int samples) {
   Random random;
   double largest = 0;
   for (int sample = 0; sample < samples; ++sample) {
-    // Where roundings are a large share, and parts of two differences, too.
+    // Near 1, roundings are a large share, and so are the parts of two differences.
     const auto near_one = [&] { return 1 + random.share() / 16; };
     const double a = near_one(), b = near_one(), x = near_one();
     const double y = sample % 2 == 0 ? -near_one() : -near_one() / 2;
@@ -589,7 +587,7 @@ double observed_determinant(int samples) {
   return largest;
 }
 
-/// Two numbers of high and low parts, |high| from 1 to 2.
+/// Defines two numbers with high and low parts, |high| from 1 to 2.
 void define_pairs(Script& script) {
   for (const char* high : {"ah", "bh"}) script.suppose(fmt::format("{} in [1, 2]", high));
   for (const char* low : {"al", "bl"}) script.suppose(fmt::format("|{}| <= 1b-53", low));
@@ -633,7 +631,7 @@ Script traced_quotient(double bound, std::optional<Mutation> mutation) {
   return script;
 }
 
-/// The root S, from 1 to 2, of a number whose high part is Q^2.
+/// The script for the root S, from 1 to 2, of a number whose high part is Q^2.
 Script traced_root(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kToDouble, mutation);
   const auto name = [&](const char* of) { return Rounded(script, of); };
@@ -658,8 +656,7 @@ Script traced_root(double bound, std::optional<Mutation> mutation) {
   return script;
 }
 
-/// The largest error of an operation on random numbers of two parts, as a share of its leading
-/// part.
+/// The largest error of an operation on random numbers of two parts, in u^2 of its leading part.
 template <class Operate>
 double observed_pairs(int samples, const Operate& operate) {
   Random random;
@@ -761,12 +758,12 @@ std::span<const Bound> bounds() {
             reference::kDoubleDoubleRootError / (kUnit * kUnit), "u^2", traced_root, observed_root},
       stage<RobustB>("robust-b", "b of robust's first step, relative to f |d|", kRobust,
                      fast_formula::kRobustB),
-      stage<RobustC>("robust-c", "its c for given r^2, relative to f^2 + r^2", kRobust,
+      stage<RobustC>("robust-c", "robust's c for given r^2, relative to f^2 + r^2", kRobust,
                      fast_formula::kRobustC),
-      stage<RobustNear>("robust-near", "its discriminant by b^2 - a c, relative to a (f^2 + r^2)",
-                        kRobust, fast_formula::kRobustNear),
-      stage<RobustFar>("robust-far", "its discriminant by the moment, relative to a (f^2 + r^2)",
-                       kRobust, fast_formula::kRobustFar),
+      stage<RobustNear>("robust-near", "robust's b^2 - a c, relative to a (f^2 + r^2)", kRobust,
+                        fast_formula::kRobustNear),
+      stage<RobustFar>("robust-far", "robust's a r^2 - |m|^2, relative to a (f^2 + r^2)", kRobust,
+                       fast_formula::kRobustFar),
       Bound{"robust-coarse", "the parts of robust's residual, relative to the scale",
             "fast/internal/error_free.h", 1, "u", traced_coarse, observed_coarse},
       Bound{"robust-low", "the low part of robust's residual, relative to V r",

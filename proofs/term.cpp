@@ -58,8 +58,8 @@ namespace {
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_of_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// Calls visit(name, place) for every name of letters, digits and underscores in a term, from the
-/// left; numbers are not names.
+/// Calls visit(name, place) for every name (letters, digits and underscores, but not a number) in a
+/// term, from the left.
 template <class Visit>
 void for_each_name(const std::string& term, const Visit& visit) {
   for (std::size_t at = 0; at < term.size();) {
@@ -101,7 +101,7 @@ std::string Script::text() const {
           ? "@rnd = float<ieee_64, ne>;\n"
           : "@add = add_rel<53>; @sub = sub_rel<53>; @mul = mul_rel<53>; @mul_add = fma_rel<53>;\n"
             "@rnd = float<53, -20000, ne>;\n";
-  // Renames in order of dependence, as compilers evaluate operands in different orders.
+  // Renames in order of dependence, since compilers evaluate operands in different orders.
   std::map<std::string, std::string> renamed;
   const auto names = [&](const std::string& term) {
     std::string result;

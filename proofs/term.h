@@ -1,7 +1,7 @@
 #pragma once
 
-// A number type that records its operations in Gappa's language: calling a formula that is a
-// template over its number type traces it. Gappa: Daumas and Melquiond,
+// A number type that records its operations in Gappa's language. A formula that is a template over
+// its number type is traced by calling it with this type. Gappa: Daumas and Melquiond,
 // Certification of bounds on expressions involving rounded operators, 2010.
 
 #include <cstddef>
@@ -12,37 +12,38 @@
 
 namespace raycheck::proofs {
 
-/// How an operation rounds: by a relative error of at most u, whatever the exponent, which is true
-/// of doubles where nothing under- or overflows; or to a double.
+/// How an operation rounds. kRelative: with a relative error of at most u for every exponent, which
+/// is true for doubles unless something under- or overflows. kToDouble: to a double.
 enum class Rounding { kRelative, kToDouble };
 
 std::string in_hexadecimal(double x);
 
-/// The one rounding operation that a mutated formula replaces: a sum (fused or not) by a
-/// difference, a square root by its argument, and all others by a sum.
+/// The one rounding operation that a mutation replaces: a sum (fused or not) by a difference, a
+/// square root by its argument, every other operation by a sum.
 struct Mutation {
   std::size_t operation;
 };
 
-/// A script in the making.
+/// A script of Gappa, to which lines are added.
 class Script {
  public:
   explicit Script(Rounding rounding, std::optional<Mutation> mutation = {});
 
-  /// Names an operation's result and returns the name; x op y, x y + z for 'f', sqrt(x) for 's'.
+  /// Names the result of an operation and returns the name. The operation is x op y; for 'f', x y +
+  /// z; for 's', sqrt(x).
   std::string rounded(char op, const std::string& x, const std::string& y = "",
                       const std::string& z = "");
   std::string exact(const std::string& term);
-  /// Other definitions, hypotheses, goals, and hints on how Gappa may rewrite.
+  // Add definitions, hypotheses, goals, and hints on how Gappa may rewrite.
   void define(const std::string& name, const std::string& term);
   void suppose(const std::string& hypothesis) { hypotheses_.push_back(hypothesis); }
   void prove(const std::string& goal) { goals_.push_back(goal); }
   void rewrite(const std::string& hint) { hints_ += hint + ";\n"; }
 
-  /// From now on x y + z is rounded once, as at first, or twice.
+  /// From now on x y + z is rounded once (the default) or twice.
   void fuse(bool is_fused) { is_fused_ = is_fused; }
   bool is_fused() const { return is_fused_; }
-  bool has_fused() const { return has_fused_; }  ///< Whether any operation was fused.
+  bool has_fused() const { return has_fused_; }  ///< Whether an operation was fused.
 
   /// The operations that round and on which a goal depends.
   std::vector<std::size_t> operations() const;
@@ -53,7 +54,7 @@ class Script {
     std::string name, term;
     std::optional<std::size_t> operation;
   };
-  /// The name of a term: the one that it has, or a new one.
+  /// The name of a term: its name if it has one, otherwise a new name.
   std::string named(const std::string& term, const char* prefix,
                     std::optional<std::size_t> operation);
   /// The lines on which goals, hypotheses and hints depend.
@@ -68,7 +69,7 @@ class Script {
   bool is_fused_ = true, has_fused_ = false;
 };
 
-/// A number of a script, rounded as doubles are or exact.
+/// A number of a script, rounded or exact.
 template <bool kRounded>
 class Term {
  public:
@@ -95,7 +96,7 @@ class Term {
   friend Term sub_mul(const Term& x, const Term& y, const Term& z) { return mul_add(-x, y, z); }
 
  private:
-  /// The script of either operand; constants have no script.
+  /// The script of an operand that has one; constants have none.
   static Script& script_of(const Term& x, const Term& y) {
     return x.script_ != nullptr ? *x.script_ : *y.script_;
   }

@@ -17,7 +17,7 @@ const Given& require_count(const Given& answers, std::size_t expected, const cha
   return answers;
 }
 
-/// The valid rays, and their indices among all.
+/// The valid rays, and their indices among all rays.
 struct ValidRays {
   explicit ValidRays(const std::vector<scene::Ray>& all) {
     indices.reserve(all.size());

@@ -13,12 +13,13 @@
 
 namespace raycheck::properties {
 
-/// A candidate's answers to a case: each function is called once, and its answer kept for the next
-/// law. Exceptions of the candidate pass through.
-/// Domain: a valid scene, pixels inside its image. The arguments have to outlive it.
+/// A candidate's answers to a case. Each function is called once, and its answer is kept for the
+/// next law. Exceptions of the candidate pass through.
+/// Domain: a valid scene, pixels inside its image. The case and the candidate must outlive this
+/// object.
 class Answers {
  public:
-  /// `share`: the share of the time limit for a reply (Functions::allow).
+  /// `share` is passed to Functions::allow: the part of the time limit for a reply.
   Answers(const Case& the_case, const Candidate& candidate, double share);
 
   const scene::Scene& scene() const { return case_.scene; }
@@ -40,14 +41,14 @@ class Answers {
   /// One plan for each element of scene::kEveryWanted, in that order.
   const std::vector<scene::ScenePlan>& plans();
   /// Asks the candidate about other rays or spheres. Rays that are not finite, or have the
-  /// direction 0, are not passed to it: they count as misses.
+  /// direction 0, count as misses, and the candidate does not get them.
   std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
                                     const std::vector<scene::Sphere>& spheres,
                                     const scene::Conventions& conventions) const;
   std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
                                                const std::vector<scene::Sphere>& spheres) const;
-  /// If a single ray was intersected: that ray, as given to the candidate, and the spheres;
-  /// otherwise the scene.
+  /// If the case has a single ray and it was intersected: that ray, as the candidate got it, with
+  /// the spheres. Otherwise the scene.
   scene::Scene asked_scene() const;
 
  private:
@@ -72,7 +73,7 @@ class Answers {
   Once<std::vector<scene::ScenePlan>> plans_;
 };
 
-/// Throws CandidateFailed where a candidate names a sphere that does not exist.
+/// Throws CandidateFailed if index >= count: the candidate names a sphere that does not exist.
 void require_sphere(std::size_t index, std::size_t count);
 
 /// The hit of this ray in a list of hits; null if the ray misses.

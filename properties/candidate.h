@@ -30,23 +30,23 @@ struct Domain {
   double largest_camera_length = std::numeric_limits<double>::infinity();
 };
 
-/// Results for smaller lengths may be subnormal, with too few digits for a bound relative to
+/// For smaller lengths, results may be subnormal; these have too few digits for a bound relative to
 /// their size.
 inline constexpr double kSmallestJudgedLength = 0x1p-960;
 
-/// Products of four lengths, such as |T x D|^2, stay normal floats for lengths between these:
-/// outside, nothing is judged in single precision.
+/// For lengths between these, products of four lengths, such as |T x D|^2, are normal floats. In
+/// single precision, scenes with other lengths are not judged.
 inline constexpr double kSmallestSingleLength = 0x1p-30;
 inline constexpr double kLargestSingleLength = 0x1p30;
 
 /// A domain cut to the lengths that are judged in a format.
 Domain judged_in(scene::Precision precision, Domain domain);
 
-/// True when every nonzero length of the scene lies in [smallest, largest]; for a sphere of radius
-/// 0 its distance counts as one.
+/// True if every nonzero length of the scene lies in [smallest, largest]. The distance of a sphere
+/// of radius 0 counts as a length.
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
 
-/// True when the scene lies in the domain.
+/// True if the scene lies in the domain.
 bool is_inside_domain(const Domain& domain, const scene::Scene& scene);
 
 /// The camera axes that a candidate returns.
@@ -75,16 +75,16 @@ struct SeenAnswer {
   double parameter = 0;  ///< s
 };
 
-/// The sphere that each pixel of an image shows, row after row: its index, kSomeSphere if it is
-/// unknown which, or empty without a sphere.
+/// The sphere that each pixel of an image shows, row after row: its index, kSomeSphere if the index
+/// is unknown, or empty if the pixel shows no sphere.
 using ImageAnswer = std::vector<std::optional<std::size_t>>;
 inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max();
 
-/// The relative change of a scene that may show in an image: the precision that its text and its
-/// renderer's `float`s or thresholds may lose.
+/// The relative change of a scene that a renderer's image may show without a defect: the scene's
+/// text and the renderer's `float`s or thresholds may lose this much precision.
 inline constexpr double kExcusedImageChange = 1e-6;
-/// The same for renderers that are judged in single precision: the roundings of floats, in scenes
-/// with a condition number of some thousands.
+/// kExcusedImageChange for renderers that are judged in single precision: roundings of floats, at
+/// condition numbers of some thousands.
 inline constexpr double kExcusedSingleImageChange = 1e-4;
 constexpr double excused_image_change(scene::Precision precision) {
   return precision == scene::Precision::kSingle ? kExcusedSingleImageChange : kExcusedImageChange;
@@ -95,14 +95,14 @@ using contract::gives_parameter;
 using contract::gives_point;
 using contract::Returns;
 
-/// Whether a case stays valid under the conventions that a candidate fixes: with samples on the
-/// edges an image of one column or row is not.
+/// Whether a case is valid under the conventions that a candidate fixes. With samples on the edges,
+/// an image of one column or row is invalid.
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
-/// The functions of a candidate; those that it lacks are empty. Functions refuse invalid
-/// input with std::invalid_argument; the what() of any other exception says how they failed.
-/// CandidateFunction throws a NoAnswer in place of both. Answers come in the order of the
-/// questions; an absent hit is a miss.
+/// The functions of a candidate; a function that it lacks is empty. Functions refuse invalid input
+/// with std::invalid_argument; any other exception is a failure, described by its what().
+/// CandidateFunction replaces both by a NoAnswer. Answers are in the order of the questions; an
+/// absent hit is a miss.
 struct Functions {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;
@@ -115,14 +115,14 @@ struct Functions {
   using MakeRays = CandidateFunction<std::vector<scene::Ray>(const scene::Camera&,
                                                              const scene::Conventions&, Pixels)>;
   MakeRays pixel_rays;  ///< From P along the unit direction D.
-  MakeRays focal_rays;  ///< From E along the same.
+  MakeRays focal_rays;  ///< From E along D.
   const MakeRays& rays_from(scene::Origin origin) const {
     return origin == scene::Origin::kPixel ? pixel_rays : focal_rays;
   }
   /// Every ray with every sphere: one list of hits per sphere.
   CandidateFunction<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
-  /// A superset of the hit classes that `intersect` answers on boxes of valid input. Code that
-  /// replaces `intersect` must empty or replace this function, too.
+  /// A superset of the hit classes that `intersect` returns for the inputs in these boxes. Code
+  /// that replaces `intersect` must empty or replace this function, too.
   CandidateFunction<scene::PossibleClasses(const scene::Box<scene::Ray>&,
                                            const scene::Box<scene::Sphere>&, scene::HitRule)>
       classes_in;
@@ -132,71 +132,73 @@ struct Functions {
   /// Its plan for a scene with a camera.
   CandidateFunction<scene::ScenePlan(const scene::Scene&, const scene::Conventions&, scene::Wanted)>
       plan;
-  /// The sphere seen through each pixel of a scene with a camera; empty without one.
+  /// The sphere seen through each pixel of a scene with a camera; empty if there is no sphere.
   CandidateFunction<std::vector<std::optional<SeenAnswer>>(const scene::Scene&,
                                                            const scene::Conventions&, Pixels)>
       visible;
   /// The whole image of a scene with a camera.
   CandidateFunction<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
-  /// The next questions are a part of a batch that failed, and get this share, in (0, 1], of the
-  /// time limit for a reply. Empty: it has no such limit.
+  /// Announces that the next questions are a part of a batch that failed, and get this share, in
+  /// (0, 1], of the time limit for a reply. Empty if the candidate has no time limit.
   std::function<void(double share)> allow;
-  /// Resets the count of time-outs after which a candidate is dropped. Empty: it always replies.
-  std::function<void()> forget_silence;
-  /// The same functions, called and answering by another interface than the declared one. Empty for
-  /// raycheck's own.
+  /// Resets the count of time-outs after which a candidate is dropped. Empty if it cannot time out.
+  std::function<void()> reset_timeouts;
+  /// These functions if the candidate is called, and answers, by another interface than the declared
+  /// one. Empty for raycheck's own methods.
   std::function<Functions(const contract::Interface& other)> by_interface;
-  /// Starts it anew, so that it loses all state between questions. Empty: it cannot be restarted.
+  /// Restarts the candidate, so that it loses all state. Empty if it cannot be restarted.
   std::function<void()> restart;
 
   /// Forgets earlier time-outs, so that answers do not depend on earlier questions.
   void begin_anew() const {
-    if (forget_silence) forget_silence();
+    if (reset_timeouts) reset_timeouts();
   }
 };
 
 /// A candidate's promises about its answers.
 struct Promises {
-  /// The format that it is judged in: cases are rounded to it (rounded_case), and errors and
-  /// bounds count its ulp and u.
+  /// The format in which it is judged: cases are rounded to it (rounded_case), and errors and
+  /// bounds are in its ulp and u.
   scene::Precision precision = scene::Precision::kDouble;
   /// How it is called, and what it returns; adapted() converts between that and what laws need.
   contract::Interface interface = {};
   InputFormat input_format() const { return {precision, interface}; }
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty without one.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
-  /// The same for rays made from a camera, where a hit inherits the error of its ray; empty:
-  /// max_error.
+  /// Its documented bound on rays made from a camera, where a hit inherits the error of its ray; if
+  /// empty, max_error holds there, too.
   std::array<std::optional<double>, kQuantityCount> max_error_end_to_end = {};
-  /// Whether the bound on a quantity holds at every condition number; otherwise it grows
-  /// with it (bound_growth).
+  /// Whether the bound on a quantity holds at every condition number. Otherwise it grows with the
+  /// condition number (bound_growth).
   std::array<bool, kQuantityCount> is_unconditional = {};
-  /// It decides hit or miss exactly for every given ray: neither near-tangency nor the domain
-  /// excuses a wrong hit class.
+  /// It decides hit or miss exactly for every given ray. A wrong hit class is a defect near a
+  /// tangent and outside the domain, too.
   bool exact_class = false;
-  /// The same for a sphere seen through a pixel, and s within reference::kVisibleParameterError.
+  /// It decides exactly which sphere is seen through a pixel, and its s is within
+  /// reference::kVisibleParameterError.
   bool exact_visible = false;
-  /// Whether it also gets invalid input, which it must refuse.
+  /// Whether it must refuse invalid input, and is tried on it.
   bool refuses = true;
-  /// The level of the cases that it must get right, unless the user chooses another.
+  /// It must be right on cases up to this level, unless the user chooses another.
   Level level = Level::kDemanding;
-  /// u of the arithmetic that it uses; at least that of the format.
+  /// u of the arithmetic that it uses; not smaller than u of `precision`.
   double unit_roundoff = kDoubleRoundoff;
 };
 
-/// Whether exact hit classes are promised for every ray of a scene, also outside the domain.
+/// Whether exact hit classes are promised for every ray of the scene, even outside the domain.
 inline bool promises_exact_class(const Promises& promises, const scene::Scene& scene) {
   return promises.exact_class && !scene.camera;
 }
 
-/// The bound promised on a quantity of a scene with a camera or of given rays; empty without one.
+/// The bound promised on a quantity, for scenes with a camera or for given rays; empty if there is
+/// none.
 std::optional<double> documented_bound(const Promises& promises, Quantity quantity,
                                        bool has_camera);
 
 /// The images that a candidate is asked for, and how they are judged.
 struct ImagePolicy {
-  /// Wrong pixels of `image` are excused where a relative change of the scene by this much may make
-  /// them right, or where the exact s is at most image_threshold.
+  /// A wrong pixel of `image` is excused if a relative change of the scene by this much may make it
+  /// right, or if the exact s is at most image_threshold.
   double excused_image_change = kExcusedImageChange;
   double image_threshold = 0;
   /// Larger images are not given to `image`.
@@ -205,8 +207,8 @@ struct ImagePolicy {
   std::int64_t most_visible_across = scene::kMostPixelsAcross;
 };
 
-/// The code that is judged. Functions that need one part of it take only that base class.
-/// It is used by one thread at a time: each thread that judges has its own candidate.
+/// The code that is judged. Functions that need only a part of it take that base class. Only one
+/// thread at a time may use a candidate: each thread that judges has its own.
 struct Candidate : Functions, Promises, Domain, ImagePolicy {
   std::string name;
   DeclaredConventions declared;
@@ -216,9 +218,9 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
 Candidate declaring(const contract::Declarations& declared, std::string name,
                     const Candidate& bounds);
 
-/// Converts a candidate with bounds in u of doubles to another format: bounds keep their number of
-/// u of its arithmetic (those of a method in floats are divided by 2^29), and single precision
-/// limits lengths to between kSmallestSingleLength and kLargestSingleLength.
+/// Converts a candidate with bounds in u of doubles to another format. Bounds are converted to u of
+/// that format: those of a method that computes in floats are divided by 2^29. In single precision,
+/// lengths are limited to [kSmallestSingleLength, kLargestSingleLength].
 Candidate judged_in(scene::Precision precision, Candidate candidate);
 
 }  // namespace raycheck::properties

@@ -28,14 +28,15 @@ using scene::Precision;
 
 namespace {
 
-/// Coordinates that are rounded take at most u of a unit vector's length, and u of its square.
+/// Rounding the coordinates of a unit vector changes its length by at most u, and the square of its
+/// length by about 2 u.
 bool is_unit(const scene::Vector3& v, Precision precision) {
   const auto square = [](double x) { return static_cast<long double>(x) * x; };
   const long double off = square(v.x) + square(v.y) + square(v.z) - 1;
   return std::abs(off) <= 4 * scene::unit_roundoff(precision);
 }
 
-/// In long double, so that the coordinates still have to be rounded to a format; without overflow.
+/// Without overflow. Computes in long double; the caller rounds the coordinates to the format.
 void make_unit(scene::Vector3& v) {
   const long double x = v.x, y = v.y, z = v.z;
   const long double length = std::hypot(x, y, z);

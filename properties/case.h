@@ -13,8 +13,8 @@
 
 namespace raycheck::properties {
 
-/// The input of a law: a scene and, if it has a camera, the pixels to judge (given rays are all
-/// judged). A law does not depend on where its cases come from.
+/// The input of a law: a scene and, if it has a camera, the pixels to judge. Given rays are all
+/// judged.
 struct Case {
   scene::Scene scene;
   std::vector<scene::Pixel> pixels;
@@ -59,13 +59,13 @@ constexpr std::size_t index_of(InputFormat format) {
          (format.unit_directions ? 1 : format.segments ? 2 : 0);
 }
 
-/// A case in the numbers that a candidate accepts. It replaces the case for truth, law and
-/// candidate alike, so that all three use the same numbers.
+/// A case with all numbers rounded to those that a candidate accepts. Truth, law and candidate all
+/// get this case instead of the original.
 struct RoundedCase {
-  std::optional<Case> the_case;  ///< Empty where it is left out.
-  std::string reason;            ///< Why it is left out.
-  std::size_t changed = 0;       ///< The count of numbers that had to be rounded,
-  std::size_t made_unit = 0;     ///< and of given directions that had to be normalised.
+  std::optional<Case> the_case;  ///< Empty if the case is left out.
+  std::string reason;            ///< Why the case is left out.
+  std::size_t changed = 0;       ///< The count of numbers that were rounded.
+  std::size_t made_unit = 0;     ///< The count of given directions that were normalised.
 };
 
 /// Normalises given directions if the format needs that, then rounds every number of the scene to

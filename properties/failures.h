@@ -19,7 +19,7 @@ namespace raycheck::properties {
 struct NoAnswer : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// It refuses the question.
+/// The candidate refuses the question.
 struct CandidateRefused : NoAnswer {
   using NoAnswer::NoAnswer;
 };
@@ -27,51 +27,48 @@ struct CandidateRefused : NoAnswer {
 struct CannotBeSaid : NoAnswer {
   using NoAnswer::NoAnswer;
 };
-/// It fails.
+/// The candidate fails.
 struct CandidateFailed : NoAnswer {
   using NoAnswer::NoAnswer;
 };
-/// It would fail on every question.
+/// The candidate would fail on every question.
 struct CandidateUnavailable : CandidateFailed {
   using CandidateFailed::CandidateFailed;
 };
 
 /// A line of a candidate's source.
 struct CodeLine {
-  std::string file;       ///< Relative to the working folder where it lies below that.
+  std::string file;       ///< Relative to the working folder if the file is below it.
   std::int64_t line = 1;  ///< From 1 on.
   std::string text = {};  ///< The text of the line, trimmed.
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(file, line, text);
-  }
+  void serialize(auto& archive) { archive(file, line, text); }
 };
 
-/// It failed at a known line.
+/// The candidate failed at a known line.
 struct FailedAtLine : CandidateFailed {
   FailedAtLine(const std::string& what, CodeLine at) : CandidateFailed(what), line(std::move(at)) {}
   CodeLine line;
 };
 
-/// It gave no reply in time.
+/// The candidate gave no reply in time.
 struct NoReply : CandidateFailed {
   NoReply(const std::string& what, std::optional<CodeLine> at)
       : CandidateFailed(what), line(std::move(at)) {}
   std::optional<CodeLine> line;
 };
 
-/// Its `image` returned a picture of another size than the scene's.
+/// The candidate's `image` returned a picture whose size is not the scene's.
 struct OtherSize : CandidateFailed {
   OtherSize(const std::string& what, std::int64_t its_width, std::int64_t its_height)
       : CandidateFailed(what), width(its_width), height(its_height) {}
   std::int64_t width, height;
 };
 
-/// raycheck itself fails, whatever the candidate answers: it gets no verdict.
+/// raycheck itself fails, whatever the candidate answers; there is no verdict.
 struct InternalError : std::logic_error {
   explicit InternalError(const std::string& what, std::optional<Case> on = {})
       : std::logic_error(what), the_case(std::move(on)) {}
-  std::optional<Case> the_case;  ///< Where it failed, if that is known.
+  std::optional<Case> the_case;  ///< The case on which it failed, if known.
 };
 
 /// Calls `ask`. Exceptions of this file pass through; `translate` turns any other into one of them.
@@ -108,7 +105,8 @@ auto asked(const Ask& ask) -> decltype(ask()) {
   });
 }
 
-/// Calls raycheck's code between a law and a candidate: only a NoAnswer is blamed on the candidate.
+/// Calls raycheck's code between a law and a candidate. Exceptions other than NoAnswer become an
+/// InternalError: they are not the candidate's fault.
 template <class Ask>
 auto asked_by_us(const Ask& ask) -> decltype(ask()) {
   return translated(ask, [](const std::exception* error) {
@@ -116,7 +114,7 @@ auto asked_by_us(const Ask& ask) -> decltype(ask()) {
   });
 }
 
-/// A function of a candidate (asked()).
+/// A function of a candidate; calls go through asked().
 template <class Signature>
 class CandidateFunction;
 template <class Answer, class... Arguments>
@@ -129,8 +127,8 @@ class CandidateFunction<Answer(Arguments...)> : public std::function<Answer(Argu
   Answer operator()(Arguments... arguments) const {
     return asked([&] { return as_is(std::forward<Arguments>(arguments)...); });
   }
-  /// Its exceptions pass through untranslated: for callers that expect them, since each throw
-  /// takes time.
+  /// Calls the function without asked(): exceptions pass through. For callers that expect many
+  /// exceptions, since each rethrow takes time.
   Answer as_is(Arguments... arguments) const {
     return Base::operator()(std::forward<Arguments>(arguments)...);
   }

@@ -9,11 +9,11 @@
 namespace raycheck::properties {
 namespace {
 
-/// A sketch of a few cases is merged before it counts.
+/// The most waiting numbers: more than a sketch of a few cases has before it is merged.
 constexpr std::size_t kMostWaiting = 1024;
 
-/// The number rounded up to kSketchBits bits; no finite one is above the largest double. The bits
-/// of positive doubles increase with them.
+/// The number rounded up to kSketchBits bits, at most to the largest double if it is finite. Uses
+/// that the bit patterns of positive doubles are in their order.
 double upper_end(double number) {
   constexpr int kDigits = std::numeric_limits<double>::digits;
   constexpr std::uint64_t kDropped = (std::uint64_t{1} << (kDigits - kSketchBits)) - 1;
@@ -26,10 +26,11 @@ double upper_end(double number) {
                       : std::min(end, std::numeric_limits<double>::max());
 }
 
-/// upper_end() leaves zeros in the low bits, except of subnormals: rotated, they lead.
+/// The low bits of an upper end are 0, except in subnormals. Rotation makes them the high bits.
 constexpr int kZeros = std::numeric_limits<double>::digits - kSketchBits;
 
-/// In bytes of seven bits, the lowest first; the last has no eighth bit.
+/// Appends a number in bytes of seven bits, the lowest first; the eighth bit is set in all bytes
+/// but the last.
 void put(std::string& bytes, std::uint64_t number) {
   for (; number >= 0x80; number >>= 7) bytes += static_cast<char>(number | 0x80);
   bytes += static_cast<char>(number);
@@ -131,7 +132,7 @@ bool QuantileSketch::operator==(const QuantileSketch& other) const {
 
 std::optional<double> QuantileSketch::quantile(double share) const {
   if (empty()) return std::nullopt;
-  constexpr double kRounding = 1e-9;  // share * count may be a whole number but for rounding
+  constexpr double kRounding = 1e-9;  // share * count may be a whole number except for rounding
   const double rank = std::ceil(share * static_cast<double>(count_) - kRounding);
   double seen = 0;
   for (const auto& [end, count] : counted()) {

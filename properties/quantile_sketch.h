@@ -9,20 +9,20 @@
 
 namespace raycheck::properties {
 
-/// Numbers are counted after rounding up to this many significant bits.
+/// Numbers are rounded up to this many significant bits before they are counted.
 inline constexpr int kSketchBits = 11;
-/// So a quantile exceeds the exact one by less than this share of it: three printed digits are
-/// right up to one unit in the last.
+/// Therefore a quantile is too large by less than this share of it: of three printed digits, the
+/// last may be off by one.
 inline constexpr double kSketchResolution = 1.0 / (1 << (kSketchBits - 1));
 
-/// Quantiles of numbers >= 0 (subnormal and infinite ones too) that are counted and not kept.
-/// The answers depend only on the numbers, not on the order of adding and merging.
-/// Error:  quantile() returns the upper end of the bin that the exact quantile lies in, for errors
-///         are upper bounds: never less than the exact one, more by less than kSketchResolution of
-///         it. Numbers of at most kSketchBits significant bits, 0 and infinity are exact, and so is
-///         the largest of all.
-/// Memory: one entry for each bin that was hit, of which a binade has 1024, and one for each of at
-///         most 1024 numbers that wait to be counted.
+/// Quantiles of numbers >= 0, subnormal and infinite ones included. The numbers are counted, not
+/// stored. The quantiles do not depend on the order of adding and merging.
+/// Error:  quantile() returns the upper end of the exact quantile's bin, because the numbers are
+///         upper bounds of errors: it is never too small, and too large by less than
+///         kSketchResolution of the exact quantile. It is exact for 0, infinity, numbers of at most
+///         kSketchBits significant bits, and the largest number.
+/// Memory: one entry for each bin in use, at most 1024 in a binade, and one for each of at most
+///         1024 numbers that are not yet counted.
 class QuantileSketch {
  public:
   /// NaN counts as infinite; throws std::invalid_argument for negative numbers.
@@ -31,14 +31,15 @@ class QuantileSketch {
 
   bool empty() const { return count_ == 0; }
   std::uint64_t count() const { return count_; }
-  /// The least number that is at least as large as that share of all; empty without numbers.
+  /// The smallest number that is at least as large as this share of the numbers; empty if there are
+  /// no numbers.
   std::optional<double> quantile(double share) const;
-  /// The largest one, exactly.
+  /// The largest number, exactly; empty if there are no numbers.
   std::optional<double> max() const;
 
-  /// Equal if the same numbers were counted, up to the sketch's resolution.
+  /// True if the same numbers were counted, up to the sketch's resolution.
   bool operator==(const QuantileSketch& other) const;
-  /// The number of entries.
+  /// The number of entries (see Memory).
   std::size_t size() const { return bins_.size() + waiting_.size(); }
   template <class Archive>
   void save(Archive& archive) const {
@@ -52,7 +53,7 @@ class QuantileSketch {
   }
 
  private:
-  /// Numbers of one upper end.
+  /// The number of numbers that were rounded up to `end`.
   struct Bin {
     double end;
     std::uint64_t count;
@@ -60,18 +61,18 @@ class QuantileSketch {
   };
 
   void wait(double upper_end);
-  /// The bins that were hit, by their ends.
+  /// All bins, with the waiting numbers counted, sorted.
   std::vector<Bin> counted() const;
   static std::vector<Bin> bins_of(std::vector<double> ends);
   /// Adds others to bins, both sorted.
   static void count(std::vector<Bin>& bins, std::span<const Bin> others);
-  /// The same in two or three bytes a bin.
+  /// counted(), packed into two or three bytes for each bin.
   std::string packed() const;
-  /// Errors: std::invalid_argument where it ends within a number.
+  /// Errors: std::invalid_argument if the string ends within a number.
   void unpack(const std::string& bins);
 
   std::vector<Bin> bins_;        ///< Sorted.
-  std::vector<double> waiting_;  ///< Upper ends that are not yet counted there.
+  std::vector<double> waiting_;  ///< Upper ends that are not yet counted in bins_.
   std::uint64_t count_ = 0;
   double max_ = 0;
 };

@@ -30,11 +30,11 @@ enum class Quantity {
 inline constexpr std::size_t kQuantityCount = 16;
 
 /// A quantity's name in reports, the unit of its errors (ulp of the exact value, u of its size, or
-/// none for decisions), and the symbol of the answered numbers (docs/problem.md; none where they
-/// differ).
+/// empty for decisions), and the symbol of the answered numbers (docs/problem.md; empty if there
+/// are several).
 struct QuantityInfo {
   std::string_view name;
-  std::string_view unit;  ///< As named in reports on doubles.
+  std::string_view unit;  ///< Its name in reports on doubles.
   std::string_view symbol = {};
 };
 
@@ -61,10 +61,10 @@ constexpr const QuantityInfo& info(Quantity quantity) {
   return kQuantities[static_cast<std::size_t>(quantity)];
 }
 
-/// Whether its answers are only right or wrong, without a measure of the error.
+/// Whether its answers are only right or wrong, so that there is no size of an error.
 constexpr bool is_decision(Quantity quantity) { return info(quantity).unit.empty(); }
 
-/// The unit of a quantity's errors where answers are judged in a format: "u", "ulp of float", or
+/// The unit of a quantity's errors if answers are judged in this format: "u", "ulp of float", or
 /// empty for decisions.
 constexpr std::string_view unit_name(Quantity quantity, scene::Precision precision) {
   const std::string_view unit = info(quantity).unit;
@@ -72,43 +72,45 @@ constexpr std::string_view unit_name(Quantity quantity, scene::Precision precisi
   return unit == "ulp" ? "ulp of float" : "u of float";
 }
 
-/// u of doubles, in which reference/ measures errors; answers judged in another format count them
-/// in that format's u (scene::unit_roundoff).
+/// u of doubles, in which reference/ measures errors. For answers that are judged in another
+/// format, errors are converted to that format's u (scene::unit_roundoff).
 inline constexpr double kDoubleRoundoff = scene::unit_roundoff(scene::Precision::kDouble);
 
-/// The bound on an error where a candidate documents none.
+/// The bound on an error if the candidate documents none.
 inline constexpr double kDefaultMaxError = 16;
 
-/// Documented bounds hold unchanged up to this condition number; beyond, they grow with it.
+/// Documented bounds hold unchanged up to this condition number; above, they grow in proportion to
+/// it.
 inline constexpr double kModerateCondition = 16;
 constexpr double bound_growth(double condition) {
   return condition > kModerateCondition ? condition / kModerateCondition : 1;
 }
 
-/// Where a sphere's centre lies within this number of radii of a ray's origin, errors of code that
-/// promises no more than ordinary cases may also grow with the condition number of the textbook's
-/// formula (reference::textbook_condition); farther away that formula's errors are defects. The
-/// same holds for directions if the condition number of (P - E)/|P - E| by P and E is at most this.
+/// If code promises no more than ordinary cases, and a sphere's centre is within this number of
+/// radii of the ray's origin, errors may also grow with the condition number of the textbook's
+/// formula (reference::textbook_condition). Farther away, the errors of that formula are defects.
+/// Errors of a direction may grow with the condition number of (P - E)/|P - E|, with P and E as
+/// inputs, if that is at most this number.
 inline constexpr double kOrdinaryDistance = 0x1p10;
-/// The same in doubles where |d^2| is at least this share of r^2; nearer to a tangent they are
-/// defects. (Numbers rounded to floats come no nearer, but for exact tangents.)
+/// In doubles, the errors of the textbook's formula are allowed only if |d^2| is at least this
+/// share of r^2; nearer to a tangent they are defects. (Rays and spheres in floats come no nearer,
+/// except exact tangents.)
 inline constexpr double kOrdinaryTangency = 0x1p-29;
 
-/// A wrong hit class is excused when a relative change of the inputs by this much, as the roundings
-/// of a handful of operations make, may flip the exact class. (For a method in another precision it
-/// is the same number of that precision's u.)
+/// A wrong hit class is excused if a relative change of the inputs by 16 u, about the roundings of
+/// a few operations, may change the exact class. u is that of the candidate's precision.
 inline constexpr double kExcusedRoundoffs = 16;
 inline constexpr double kExcusedChange = kExcusedRoundoffs * kDoubleRoundoff;
 constexpr double excused_change(double unit_roundoff) { return kExcusedRoundoffs * unit_roundoff; }
 
-/// The half of a candidate that can be judged separately: the rays that it makes, or its answers
-/// about given rays.
+/// The two halves of a candidate, which can be judged separately: the rays that it makes, and its
+/// answers about given rays.
 enum class Stage { kRays, kIntersection };
 constexpr std::string_view name(Stage stage) {
   return stage == Stage::kRays ? "rays" : "intersections";
 }
 
-/// The quantity that measures a stage's accuracy: the direction, or the parameter.
+/// The quantity that measures the accuracy of a stage.
 constexpr Quantity main_quantity(Stage stage) {
   return stage == Stage::kRays ? Quantity::kDirection : Quantity::kParameter;
 }

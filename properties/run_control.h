@@ -5,8 +5,8 @@
 
 namespace raycheck::properties {
 
-/// The caller's control over long work: nothing here changes an answer, but an interrupt ends the
-/// work early, with the results so far.
+/// The caller's control over long work. It does not change answers; an interrupt ends the work
+/// early, with the results so far.
 struct RunControl {
   /// Called now and then, from any thread; true ends the work.
   std::function<bool()> interrupted = [] { return false; };

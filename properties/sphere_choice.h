@@ -1,6 +1,7 @@
 #pragma once
 
-// Which of several spheres a ray meets first: the candidate's choice and the exact one.
+// Judges which of several spheres a ray meets first: compares the candidate's choice with the exact
+// one.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,28 +16,29 @@ namespace raycheck::properties {
 
 using Index = std::optional<std::size_t>;
 
-/// The candidate's sphere (or kSomeSphere) and the exact one, both by the scene's order.
+/// The candidate's sphere (or kSomeSphere) and the exact one, as indices in the scene.
 struct Choice {
   std::size_t ray;
   Index got;
   const std::optional<reference::NearestSphere>& exact;
   const char* what = "sphere index";  ///< In discrepancies.
-  bool is_first_of_ties = false;      ///< Whether the candidate promises the first of a tie.
+  bool is_first_of_ties = false;      ///< Whether the candidate promises the first sphere of a tie.
 };
 bool is_right(const Choice& choice);
 Wrong wrong_of(const Choice& choice);
 
-/// The excuse for a wrong sphere: inputs within a relative change for which the ray meets it first.
+/// The excuse for a wrong sphere: inputs within this relative change for which the ray meets that
+/// sphere first.
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change);
 
-/// Counts a choice, and adds a discrepancy when it is wrong.
+/// Counts a choice, and adds a discrepancy if it is wrong.
 void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected expected,
                   const std::function<Excuse()>& excuse);
 
 /// The number of spheres that each ray of a case meets.
 struct SpheresMet {
-  std::vector<std::uint32_t> count;  ///< Spheres met, by ray.
-  std::vector<bool> is_unjudged;     ///< Whether the ray is tangent, and tangents are not judged.
+  std::vector<std::uint32_t> count;  ///< The number of spheres that each ray meets.
+  std::vector<bool> is_unjudged;  ///< By ray: whether it is a tangent, and tangents are not judged.
 
   Expected expected(std::size_t ray) const {
     return count[ray] == 0   ? Expected::kNoSphere
@@ -49,7 +51,8 @@ SpheresMet spheres_met(Trial& trial);
 /// How a candidate's nearest hit of a ray compares with the exact one.
 struct NearestHitError {
   Wrong wrong = Wrong::kNot;
-  /// The standing of a wrong answer: not judged outside the stated domain and at unjudged tangents.
+  /// The standing of a wrong answer; outside the stated domain and at unjudged tangents,
+  /// kNotJudged.
   Standing standing = Standing::kDefect;
   std::optional<double> ulp;  ///< The error of s; empty if the sphere is wrong, or both miss.
 };

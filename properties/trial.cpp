@@ -18,8 +18,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// A part of a batch has its share of the time for a reply, and at least this share; a single
-/// question has all of it.
+/// A part of a batch has its share of the time limit for a reply, but at least this share of it. A
+/// single question has the whole limit.
 constexpr double kLeastShare = 0.1;
 
 std::shared_ptr<TrialPart> part_of(const Trial& whole, std::size_t from, std::size_t to) {
@@ -174,7 +174,7 @@ bool Trial::grown_bound_allows(const MeasuredError& own, double condition,
            (of.backward().in(precision()).value <= bound(Quantity::kBackwardError) ||
             (of.plain && std::isinf(of.plain())));
   }
-  // Errors are infinite where the exact value is 0, or the answer is not finite.
+  // Errors are infinite if the exact value is 0 or the answer is not finite.
   if (!std::isfinite(own.error.value)) return *own.bound > 0 && std::isinf(condition);
   return own.error.value <= *own.bound * bound_growth(condition) ||
          (of.plain && own.error.value <= *own.bound * bound_growth(condition + of.plain()));

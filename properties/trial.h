@@ -24,32 +24,33 @@ namespace raycheck::properties {
 class Trial;
 struct TrialPart;
 
-/// The most failures of a candidate that are searched for in failed batches: each costs at most two
-/// restarts per halving of a batch.
+/// At most this many failures of a candidate are searched for in failed batches; each costs at most
+/// two restarts per halving of a batch.
 inline constexpr int kMostFailuresSought = 8;
 
 /// A search for failures, shared by successive trials.
 struct FailureSearch {
   int batches = 0;     ///< Batches that failed and were asked in parts.
-  int found = 0;       ///< Rays, or rays with a sphere, that fail when asked separately.
-  int together = 0;    ///< Parts that fail, but whose halves are answered.
-  int not_sought = 0;  ///< Batches, or parts, that failed after the search was over.
-  /// The messages of failures on every question: each is reported once.
+  int found = 0;       ///< Single questions that fail: rays, or pairs of a ray and a sphere.
+  int together = 0;    ///< Parts that fail although both of their halves are answered.
+  int not_sought = 0;  ///< Batches or parts that failed after the search was over.
+  /// Messages of candidates that fail on every question: each is reported once.
   std::set<std::string> whatever_asked = {};
   bool is_over() const { return found + together >= kMostFailuresSought; }
 };
 
-/// The number of rays of a trial, or `by_sphere` of rays with spheres.
+/// The number of rays of a trial; with `by_sphere`, the number of pairs of a ray and a sphere.
 std::uint64_t count_asked(const Trial& trial, bool by_sphere);
 
-/// A trial that failed, asked in parts.
+/// The parts in which a failed trial is asked again.
 class FailedParts {
  public:
-  /// The two halves of its rays, or of one ray's spheres, as separate trials that are kept.
+  /// The two halves of its rays, or of one ray's spheres, as separate trials, which are made once
+  /// and kept.
   /// Domain: more than one ray or sphere.
   const std::vector<std::shared_ptr<TrialPart>>& halves(const Trial& whole);
   bool is_halved() const { return !halves_.empty(); }
-  /// Whether this is the first failure of the whole with this message, over all laws.
+  /// Whether no law has recorded a failure of the whole with this message yet; records it.
   bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
 
  private:
@@ -59,13 +60,14 @@ class FailedParts {
 
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound that replaces the candidate's own.
-  bool conditioning = false;             ///< Weigh every error by its condition number.
-  /// The truth about the same case under the candidate's conventions, where it is shared.
+  bool conditioning = false;             ///< Whether to weigh every error by its condition number.
+  /// The truth about the case under the candidate's conventions, if it is shared; if null, it is
+  /// computed.
   std::shared_ptr<Truth> truth = nullptr;
-  /// Batches that fail are asked in halves, to find the questions to blame and to judge the rest;
-  /// null: they are not.
+  /// If not null, batches that fail are asked in halves, to find the questions to blame and to
+  /// judge the other answers.
   FailureSearch* search = nullptr;
-  double share = 1;  ///< Of the time for a reply.
+  double share = 1;  ///< The part of the time limit for a reply.
 };
 
 /// How a ray and a sphere meet according to an answer.
@@ -79,39 +81,41 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
   return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
 }
 
-/// The number of roundings of the inputs that equal those of the textbook's v^2 - |T|^2 + r^2, as a
-/// change of r: at most (2 |T||v| + |T|^2 + r^2)/2r^2. 0 where the candidate promises more than
-/// ordinary cases, beyond kOrdinaryDistance, and nearer a tangent than kOrdinaryTangency.
+/// The relative change of r, in u, that has the effect of rounding errors of u in the terms of the
+/// textbook's v^2 - |T|^2 + r^2: at most (2 |T||v| + |T|^2 + r^2)/(2 r^2). It is 0 if the candidate
+/// promises more than ordinary cases, if the sphere is beyond kOrdinaryDistance, and, in double
+/// precision, if the ray is nearer to a tangent than kOrdinaryTangency.
 double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere);
-/// The same for a centre at that distance, in radii.
+/// An upper bound of plain_change() for a centre at this distance, in radii.
 constexpr double plain_change_at(double radii) { return (3 * radii * radii + 1) / 2; }
-/// The factor by which the change that excuses a decision grows with it: a quarter of it, since one
-/// r has to make up for a change of 4 u of all inputs.
+/// The factor by which the change that excuses a decision grows from kExcusedRoundoffs u: the
+/// result is 4 u times plain_change(), if that is more. A change of only r can then offset rounding
+/// errors of 4 u in the textbook's formula.
 constexpr double plain_growth(double plain_change) {
   return plain_change > 4 ? plain_change / 4 : 1;
 }
 
-/// Whether the answer is a hit outside the interval by which it is judged. That is a comparison of
-/// doubles (reference::is_outside), which no change of inputs excuses. It applies to an s that the
-/// candidate itself returned, not to one computed from a distance or a point. The exact root `at`,
-/// correctly rounded, is not excluded even on an open end.
+/// Whether the answer is a hit outside the interval by which it is judged. This compares doubles
+/// (reference::is_outside), so no change of inputs excuses it. It applies only if the candidate
+/// returned s itself, not a distance or a point. The exact root `at`, correctly rounded, is never
+/// excluded, even on an open end.
 /// Domain: `at` is the exact intersection of the answer's ray and sphere under the conventions.
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, const Promises& promises);
 
-/// An error that a law measures; its bound counts units of the candidate's format, in which errors
-/// are judged.
+/// An error that a law measures. Its bound is in units of the candidate's format.
 struct MeasuredError {
   Quantity quantity;
   Place place;
   scene::Measured error;
-  std::optional<double> bound = {};  ///< Empty: the candidate's on the quantity.
+  std::optional<double> bound = {};  ///< If empty: Trial::bound(quantity).
 };
 
-/// A case, the truth about it and a candidate's answers to it, for laws to compare and judge. The
-/// truth does not depend on the candidate.
-/// Domain: a valid scene (scene/validate.h) with numbers of the candidate's format
+/// A case, the truth about it and a candidate's answers to it. Laws compare these. The truth does
+/// not depend on the candidate.
+/// Domain: a valid scene (scene/validate.h) with numbers of the
+/// candidate's format
 ///         (rounded_case), pixels inside its image; otherwise the constructor throws
 ///         std::invalid_argument.
 class Trial : public Answers {
@@ -119,15 +123,16 @@ class Trial : public Answers {
   Trial(const Case& the_case, const Candidate& candidate, TrialOptions options = {});
 
   const TrialOptions& options() const { return options_; }
-  /// The format that answers are judged in.
+  /// The format in which answers are judged.
   scene::Precision precision() const { return candidate().precision; }
   Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
-  /// In units of the candidate's own roundoff.
+  /// The change of inputs that excuses a decision: kExcusedRoundoffs times the candidate's unit
+  /// roundoff.
   double excused_change() const { return properties::excused_change(candidate().unit_roundoff); }
   /// Whether the case lies in the candidate's stated domain.
   bool inside_domain() const { return inside_domain_; }
-  /// Whether answers about a quantity are judged: inside that domain, or where exact hit classes
-  /// are promised beyond it.
+  /// Whether answers about a quantity are judged: the case lies in the domain, or exact hit classes
+  /// are promised for it.
   bool is_judged(Quantity quantity) const { return inside_domain_ || promises_exactly(quantity); }
 
   // The truth.
@@ -151,14 +156,15 @@ class Trial : public Answers {
                                     conventions().tangent);
   }
 
-  /// The bound on a quantity: the one in the options, or the candidate's, or the default; always 0
-  /// for the origin of a ray from the eye.
+  /// The bound on a quantity: the one in the options; if there is none, the candidate's; otherwise
+  /// the default. It is always 0 for the origin of a ray from the eye.
   double bound(Quantity quantity) const;
 
-  /// Counts an error, and adds a discrepancy when it is above its bound. `condition` and `describe`
-  /// are called only then; `describe` fills in what, got and exact. Under `conditioning` every
-  /// error is weighed, by `backward` (a backward error) where kappa is infinite. `plain` is what
-  /// is added to the condition number for code that promises only ordinary cases.
+  /// Counts an error, and adds a discrepancy if it is above its bound. Only then are `condition`
+  /// and `describe` called; `describe` fills in what, got and exact. With
+  /// TrialOptions::conditioning every error is weighed; if kappa is infinite, by `backward`, the
+  /// backward error. `plain` returns the term that is added to the condition number for code that
+  /// promises only ordinary cases.
   template <class Condition, class Describe>
   void measure(Verdict& verdict, const MeasuredError& measured, const Condition& condition,
                const Describe& describe, const std::function<scene::Measured()>& backward = {},
@@ -170,8 +176,8 @@ class Trial : public Answers {
     if (own.error.value <= *own.bound && !options_.conditioning) return;
     examine(verdict, own, {condition, describe, backward, plain});
   }
-  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` is called
-  /// only if neither the stated domain nor a promise of exact hit classes decides.
+  /// Counts a right or wrong answer, and adds a discrepancy if it is wrong. `excuse` is called only
+  /// if neither the stated domain nor a promise of exact hit classes decides.
   template <class GiveExcuse, class Describe>
   void judge(Verdict& verdict, const Decision& decision, const GiveExcuse& excuse,
              const Describe& describe) const {
@@ -179,18 +185,18 @@ class Trial : public Answers {
     verdict.judged_right(decision.quantity, decision.expected, 1);
   }
 
-  /// The excuse for answers that are wrong or contradict each other: for each wrong one, inputs
-  /// for which it is right, within excused_change() of the given ones, or within that change as
-  /// plain_change() enlarges it. If one has no such input, there is no excuse.
+  /// The excuse for answers of which at least one is wrong. For each wrong answer there must be
+  /// inputs for which it is right, within excused_change() of the given inputs, enlarged by
+  /// plain_growth(). If one wrong answer has no such inputs, there is no excuse.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
-  /// Where a witness is searched.
+  /// Where to search for a witness: inputs for which an answer is right.
   reference::Neighbourhood neighbourhood(double relative_change) const;
 
-  /// For asking a failed batch in parts.
+  /// The parts in which this trial is asked again if it fails as a batch.
   FailedParts& failed_parts() { return failed_parts_; }
 
  private:
-  /// Called for an error that is weighed, or above its bound.
+  /// The functions that measure() calls for an error that is weighed or above its bound.
   struct Particulars {
     std::function<double()> condition;
     std::function<void(Discrepancy&)> describe;
@@ -200,16 +206,16 @@ class Trial : public Answers {
 
   bool promises_exactly(Quantity quantity) const;
   Stability weigh(double error, const Particulars& of) const;
-  /// Whether the bound on a quantity is a documented one, which grows with the condition number:
-  /// errors within it are not discrepancies. The user's bound does not grow; errors that growth
-  /// would allow are excused.
+  /// Whether the bound on a quantity is a documented one. Such a bound grows with the condition
+  /// number, and errors within the grown bound are not discrepancies. Other bounds (the user's, the
+  /// default) do not grow: errors that growth would allow are discrepancies with an excuse.
   bool promises_growth(Quantity quantity) const;
-  /// Whether an error above its bound is within the grown bound, which is infinite where the
-  /// condition number is, unless a backward error decides.
+  /// Whether an error above its bound is within the grown bound. If the condition number is
+  /// infinite, the backward error decides; without one, the grown bound is infinite.
   bool grown_bound_allows(const MeasuredError& own, double condition, const Particulars& of) const;
-  /// measure() for an error that is weighed, or above its bound.
+  /// The part of measure() for an error that is weighed or above its bound.
   void examine(Verdict& verdict, const MeasuredError& own, const Particulars& of) const;
-  /// judge() for a wrong answer.
+  /// The part of judge() for a wrong answer.
   void convict(Verdict& verdict, const Decision& decision, const std::function<Excuse()>& excuse,
                const std::function<void(Discrepancy&)>& describe) const;
   Discrepancy discrepancy_of(Quantity quantity, const Place& place) const;
@@ -238,16 +244,16 @@ struct TrialPart {
   Trial trial;
 };
 
-/// The excuse from a search of inputs within a relative change.
+/// The excuse that a search for inputs within this relative change found.
 Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change);
 
-/// A tangent that the convention leaves open.
+/// Whether the intersection is a tangent that the convention does not judge.
 constexpr bool is_unjudged(const reference::Intersection& intersection, scene::Tangent tangent) {
   return tangent == scene::Tangent::kEither &&
          intersection.hit_class == reference::HitClass::kTangent;
 }
 
-/// The root that is expected of a hit.
+/// The root that is right for a hit.
 constexpr Expected root_expected(const reference::Intersection& at) {
   return at.root == reference::WhichRoot::kSmaller ? Expected::kSmallerRoot : Expected::kLargerRoot;
 }

@@ -30,10 +30,10 @@ struct Meeting {
   std::optional<double> condition_of_parameter = {};  ///< Computed on demand.
 };
 
-/// The truth about a case under some conventions, each part computed on demand and kept. It never
-/// depends on a candidate; candidates judged under the same conventions share it. With a plan of
-/// the case's scene under these conventions it looks only at the pixels of a sphere's rectangle;
-/// laws that judge plans use a truth without one.
+/// The truth about a case under some conventions. Each part is computed on demand and kept. It does
+/// not depend on a candidate; candidates that are judged under the same conventions share it. With
+/// a plan of the case's scene under these conventions, each sphere is intersected only with the
+/// rays of pixels in its rectangle. Laws that judge plans use a truth without a plan.
 class Truth {
  public:
   Truth(const Case& the_case, const scene::Conventions& conventions,
@@ -41,7 +41,7 @@ class Truth {
 
   const scene::Conventions& conventions() const { return conventions_; }
   const reference::ExactCamera& camera();
-  /// The camera's axes, narrow enough for positions in its image plane.
+  /// Enclosures of the camera's axes, narrow enough for positions in its image plane.
   const reference::EnclosedFrame& frame();
   const reference::ExactRay& ray(std::size_t ray);
   /// The rays that meet a sphere, in their order; every other ray misses it.
@@ -67,15 +67,15 @@ class Truth {
   std::optional<std::vector<std::optional<reference::NearestSphere>>> nearest_;
 };
 
-/// The conventions under which plans are made: those with every root >= 0, which include all roots
-/// that may count.
+/// These conventions with every root >= 0. Plans are made under them, so that they include all
+/// roots that may count.
 inline scene::Conventions planned(scene::Conventions conventions) {
   conventions.valid = {};
   return conventions;
 }
 
-/// The truths about one case, by the conventions that candidates are judged under; with the plan
-/// made for these, if there is one.
+/// The truths about one case, one for each set of conventions under which candidates are judged.
+/// Each uses the plan for its conventions, if there is one.
 class SharedTruths {
  public:
   explicit SharedTruths(const Case& the_case, std::span<const scene::ScenePlan> plans = {})

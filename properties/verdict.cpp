@@ -4,91 +4,8 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 namespace raycheck::properties {
-
-bool is_earlier(const Place& a, const Place& b) {
-  const auto key = [](const Place& place) {
-    const scene::Pixel pixel = place.pixel.value_or(scene::Pixel{-1, -1});
-    return std::tuple(place.ray, place.sphere.value_or(0), pixel.j, pixel.i);
-  };
-  return key(a) < key(b);
-}
-
-void Tally::note_worst(double badness, const Place& place, std::optional<double> condition) {
-  const bool is_new = badness > worst || (badness == worst && is_earlier(place, worst_place));
-  if (is_new) {
-    worst = badness;
-    worst_place = place;
-    worst_condition = condition;
-  } else if (condition && badness == worst && !is_earlier(worst_place, place)) {
-    worst_condition = std::max(worst_condition.value_or(0), *condition);
-  }
-}
-
-void Tally::merge(const Tally& other) {
-  cases += other.cases;
-  right += other.right;
-  for (const auto& [kind, number] : other.wrong) wrong[kind] += number;
-  for (std::size_t k = 0; k < kStandingCount; ++k) {
-    wrong_by_standing[k] += other.wrong_by_standing[k];
-  }
-  for (std::size_t k = 0; k < kExpectedCount; ++k) {
-    answered[k].asked += other.answered[k].asked;
-    answered[k].right += other.answered[k].right;
-  }
-  errors.merge(other.errors);
-  least_bound = std::min(least_bound, other.least_bound);
-  greatest_bound = std::max(greatest_bound, other.greatest_bound);
-  ill_conditioned += other.ill_conditioned;
-  if (other.worst >= 0) note_worst(other.worst, other.worst_place, other.worst_condition);
-  conditions.merge(other.conditions);
-  worst_ratio = std::max(worst_ratio, other.worst_ratio);
-  for (std::size_t k = 0; k < kOutcomeCount; ++k) outcomes[k] += other.outcomes[k];
-  max_over_growth = std::max(max_over_growth, other.max_over_growth);
-}
-
-std::uint64_t Tally::wrong_answers() const {
-  std::uint64_t sum = 0;
-  for (const auto& [kind, number] : wrong) sum += number;
-  return sum;
-}
-
-std::uint64_t Tally::count(Wrong kind) const {
-  const auto found = wrong.find(kind);
-  return found == wrong.end() ? 0 : found->second;
-}
-
-bool is_held_against(const Discrepancy& discrepancy, bool strictly) {
-  const Standing standing = discrepancy.excuse.standing();
-  return standing == Standing::kDefect || (strictly && standing != Standing::kNotJudged);
-}
-
-std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
-  std::vector<const Discrepancy*> sorted;
-  for (const Discrepancy& d : discrepancies) sorted.push_back(&d);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Discrepancy* a, const Discrepancy* b) {
-    if (a->error != b->error) return a->error > b->error;
-    if (is_earlier(a->place, b->place)) return true;
-    if (is_earlier(b->place, a->place)) return false;
-    return std::tie(a->law, a->what) < std::tie(b->law, b->what);
-  });
-  // (standing, rank within its quantity, quantity) of each.
-  using Key = std::tuple<Standing, std::size_t, Quantity>;
-  std::map<std::pair<Standing, Quantity>, std::size_t> ranks;
-  std::vector<std::pair<Key, const Discrepancy*>> keyed;
-  for (const Discrepancy* d : sorted) {
-    const Standing standing = d->excuse.standing();
-    const std::size_t rank = ranks[{standing, d->quantity}]++;
-    keyed.emplace_back(Key(standing, rank, d->quantity), d);
-  }
-  std::stable_sort(keyed.begin(), keyed.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Discrepancy> result;
-  for (const auto& [key, d] : keyed) result.push_back(*d);
-  return result;
-}
 
 void Verdict::measured(Quantity quantity, const Place& place, double error, double bound) {
   Tally& tally = tallies_[quantity];
@@ -142,7 +59,7 @@ void Verdict::judged_wrong(const Decision& decision, Standing standing) {
   ++tally.wrong_by_standing[static_cast<std::size_t>(standing)];
   ++tally.outcomes[static_cast<std::size_t>(kOutcomes[static_cast<std::size_t>(standing)])];
   if (standing != Standing::kNotJudged) ++tally.answers_to(decision.expected).asked;
-  // The first defect, else the first error.
+  // The first defect; if there is none, the first error.
   tally.note_worst(standing == Standing::kDefect ? 2 : 1, decision.place);
 }
 

@@ -14,7 +14,7 @@ constexpr int kSmallestNormalExponent = -1022;
 /// Finite doubles are below 2^kOverflowExponent.
 constexpr int kOverflowExponent = 1024;
 
-/// One arf that clears itself.
+/// An arf that clears itself.
 class Float {
  public:
   Float() { arf_init(value_); }
@@ -27,7 +27,7 @@ class Float {
   arf_t value_;
 };
 
-/// x rounded once to a double in direction `rounding`, over- and underflow as IEEE-754 has them.
+/// x rounded once to a double in direction `rounding`; it over- and underflows as IEEE-754 says.
 /// (Rounding to 53 bits first and to a subnormal afterwards would round twice.)
 double to_double(arf_srcptr x, arf_rnd_t rounding) {
   if (arf_is_zero(x)) return 0.0;
@@ -62,8 +62,8 @@ double to_double(arf_srcptr x, arf_rnd_t rounding) {
   return arf_get_d(rounded.get(), ARF_RND_DOWN);
 }
 
-/// The ball's ends as doubles. A quotient by a ball that holds 0 has no midpoint and may have any
-/// value.
+/// The ends of a ball as doubles. A quotient by a ball that contains 0 has no midpoint and may have
+/// any value.
 double low_end(const arb_t ball, int bits, arf_rnd_t rounding) {
   if (arf_is_nan(arb_midref(ball))) return -std::numeric_limits<double>::infinity();
   Float bound;

@@ -1,6 +1,6 @@
 #pragma once
 
-// In this order: FLINT 3 declares functions on MPFR's floats only after MPFR.
+// MPFR comes first: FLINT 3 declares functions on MPFR's floats only after MPFR.
 // clang-format off
 #include <mpfr.h>
 #include <arb.h>
@@ -13,21 +13,22 @@
 
 namespace raycheck::reference {
 
-/// A closed interval that certainly holds one real number: an Arb ball (midpoint and radius with
-/// unlimited exponents) that carries its working precision. Arithmetic encloses the exact result;
-/// precision is the larger of the operands'. One object per thread; different objects are
-/// independent. FLINT caches memory per thread: a thread that ends may call flint_cleanup() first.
+/// A closed interval that certainly contains one real number: an Arb ball (midpoint and radius with
+/// unlimited exponents) with a working precision. The results of operations enclose the exact
+/// results; their precision is the larger of those of the operands. Use an object in one thread
+/// only; different objects are independent. FLINT caches memory per thread: a thread may call
+/// flint_cleanup() before it ends.
 class Enclosure {
  public:
   Enclosure() { arb_init(ball_); }
   explicit Enclosure(int value) : Enclosure() { arb_set_si(ball_, value); }
-  /// Exactly this double; `bits` is the precision of results computed from it.
+  /// A double, exactly; `bits` is the precision of results computed from it.
   Enclosure(double value, int bits);
-  /// Everything within |value| * relative_change of value.
+  /// All numbers within |value| * relative_change of value.
   static Enclosure within(double value, double relative_change, int bits);
 
   Enclosure(const Enclosure& other) : Enclosure() { *this = other; }
-  /// Copies the ball's bytes: no pointer refers to them.
+  /// Copies the ball's bytes, to which no pointer refers.
   Enclosure(Enclosure&& other) noexcept : bits_(other.bits_) {
     *ball_ = *other.ball_;
     arb_init(other.ball_);
@@ -37,7 +38,7 @@ class Enclosure {
     swap(other);
     return *this;
   }
-  /// Most balls own no memory, and are dropped without a call.
+  /// Most balls own no memory, and need no call.
   ~Enclosure() {
     const bool owns_memory = ARF_HAS_PTR(arb_midref(ball_)) ||
                              COEFF_IS_MPZ(ARF_EXP(arb_midref(ball_))) ||
@@ -53,16 +54,16 @@ class Enclosure {
 
   int bits() const { return bits_; }
   bool contains_zero() const { return arb_contains_zero(ball_) != 0; }
-  /// The sign of every number in the ball; empty when they differ.
+  /// The sign of all numbers in the ball; empty if they differ.
   std::optional<int> certain_sign() const;
-  /// Doubles below and above every number in the ball (infinite past the double range).
+  /// Doubles below and above all numbers in the ball; infinite beyond the largest double.
   double lower() const;
   double upper() const;
-  /// The doubles nearest to the ball's two ends (moved outward to bits() first), ties to even:
-  /// equal when the ball determines the correctly rounded value.
+  /// The doubles nearest to the ball's two ends (first moved outward to bits()), ties to even. They
+  /// are equal if the ball determines the correctly rounded value.
   double lower_rounded() const;
   double upper_rounded() const;
-  /// True when radius <= 2^-relative_bits |midpoint|.
+  /// Whether radius <= 2^-relative_bits |midpoint|.
   bool is_within(int relative_bits) const;
 
   const arb_struct* ball() const { return ball_; }
@@ -92,12 +93,12 @@ Enclosure operator+(const Enclosure& a, const Enclosure& b);
 Enclosure operator-(const Enclosure& a, const Enclosure& b);
 Enclosure operator*(const Enclosure& a, const Enclosure& b);
 Enclosure operator/(const Enclosure& a, const Enclosure& b);
-// The memory of a temporary is reused for the result.
+// These reuse the memory of a temporary for the result.
 inline Enclosure operator+(Enclosure&& a, const Enclosure& b) { return std::move(a += b); }
 inline Enclosure operator-(Enclosure&& a, const Enclosure& b) { return std::move(a -= b); }
 inline Enclosure operator*(Enclosure&& a, const Enclosure& b) { return std::move(a *= b); }
 inline Enclosure operator/(Enclosure&& a, const Enclosure& b) { return std::move(a /= b); }
-/// The square root of a number known to be >= 0; cuts off the negative part of the ball.
+/// The square root of a number that is known to be >= 0; the negative part of the ball is cut off.
 Enclosure sqrt(const Enclosure& value);
 Enclosure abs(const Enclosure& value);
 

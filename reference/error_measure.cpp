@@ -39,7 +39,7 @@ Measured ulp_error(double given, const Enclosure& exact, scene::Precision precis
   };
   if (!std::isfinite(given)) return ulp(kInfinity);
   if (exact.certain_sign() == 0) return ulp(given == 0 ? 0 : kInfinity);
-  // 128 bits are two words, the most that fit without heap memory.
+  // 128 bits are two words; more would need heap memory.
   Enclosure error(given, 128);
   arb_sub(error.ball(), error.ball(), exact.ball(), 128);
   arb_abs(error.ball(), error.ball());
@@ -88,7 +88,8 @@ Measured backward_error(const scene::Ray& ray, const scene::Sphere& sphere, doub
   scene::require_valid(ray);
   scene::require_valid(sphere);
   if (!std::isfinite(parameter)) return {kInfinity};
-  // Doubles span 2098 bits, q at most 4200 and p 8500, where the balls are exact and the loop ends.
+  // Doubles span 2098 bits, q at most 4200 and p at most 8500. With so many bits the balls are
+  // exact, and the loop ends.
   for (int bits = 384;; bits *= 2) {
     const Enclosure s(parameter, bits);
     const Enclosure r_sq = Enclosure(sphere.radius, bits) * Enclosure(sphere.radius, bits);
@@ -117,7 +118,7 @@ Measured in_units_of_u(const Enclosure& x) {
   Enclosure scaled = abs(x);
   arb_mul_2exp_si(scaled.ball(), scaled.ball(), std::numeric_limits<double>::digits);
   const double bound = scaled.upper();
-  // A ball with an infinite or NaN upper bound gives no bound.
+  // If the ball's upper bound is infinite or NaN, the error has no bound.
   return {bound < std::numeric_limits<double>::max() ? bound : kInfinity};
 }
 

@@ -16,7 +16,7 @@ const scene::Camera& validated(const scene::Camera& camera, const scene::Convent
   return camera;
 }
 
-/// Axes under another kernel: convert(coordinate) encloses.
+/// Axes under another kernel; convert(coordinate) encloses the coordinate.
 template <class K, class From, class Convert>
 Axes<K> converted(const Axes<From>& axes, Convert convert) {
   const auto vector = [&](const typename From::Vector_3& v) {
@@ -25,7 +25,7 @@ Axes<K> converted(const Axes<From>& axes, Convert convert) {
   return {vector(axes.U), vector(axes.V), vector(axes.W)};
 }
 
-/// Empty where some interval would be wider than from one double to the next.
+/// The axes by double-doubles; empty if an interval would be wider than the gap of two doubles.
 std::optional<Axes<IntervalKernel>> axes_by_double_doubles(const scene::Camera& camera) {
   return by_double_doubles([&]() -> std::optional<Axes<IntervalKernel>> {
     constexpr int kNarrow = 60;
@@ -60,7 +60,7 @@ ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Convention
       conventions(its_conventions),
       intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)} {}
 
-/// From balls: narrower than if computed in double-doubles.
+/// Computed from balls, which gives narrower axes than double-doubles.
 const CameraNumbers<DoubleDoubleKernel>& ExactCamera::Impl::double_doubles() const {
   return double_doubles_.get([this]() -> CameraNumbers<DoubleDoubleKernel> {
     const NearestGuard guard;
@@ -90,7 +90,6 @@ const scene::Conventions& ExactCamera::conventions() const { return impl_->conve
 
 namespace {
 
-/// Narrows or rounds every coordinate of the axes.
 template <class Frame, class Finish>
 Frame finish_frame(const ExactCamera::Impl& impl, Finish finish) {
   const auto axis = [&](auto of, auto exact_of) -> decltype(Frame::U) {

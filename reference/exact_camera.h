@@ -12,25 +12,22 @@
 
 namespace raycheck::reference {
 
-/// Enclosures of the camera axes.
 struct EnclosedFrame {
   Enclosure3 U, V, W;
 };
 
-/// The camera axes, correctly rounded.
 struct RoundedFrame {
   scene::UnitVector3 U, V, W;
 };
 
-/// The same in double-doubles.
 struct DoubleDoubleFrame {
   Triple<DoubleDouble> U, V, W;
 };
 
-/// A camera, known exactly; made once per scene, then read from any thread.
+/// A camera, known exactly. It is made once per scene, and may be read from all threads.
 /// Domain: a camera without defects under `conventions` (scene/validate.h); otherwise throws
 ///         std::invalid_argument naming the field.
-/// Error:  as ExactRay.
+/// Error:  that of ExactRay.
 class ExactCamera {
  public:
   struct Impl;
@@ -39,7 +36,7 @@ class ExactCamera {
   const scene::Camera& camera() const;
   const scene::Conventions& conventions() const;
 
-  /// Axes of relative width 2^-relative_bits per coordinate; exact where a coordinate is 0.
+  /// The axes. Each coordinate has the relative width 2^-relative_bits; a coordinate of 0 is exact.
   EnclosedFrame frame(int relative_bits = 70) const;
   RoundedFrame rounded_frame(scene::Precision precision = scene::Precision::kDouble) const;
   DoubleDoubleFrame frame_in_double_doubles() const;

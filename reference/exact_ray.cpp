@@ -21,7 +21,7 @@ ExactRay::Direction direction_of(const ExactRay::Source& source) {
   });
 }
 
-/// Bounds of g and |g|^2.
+/// Bounds on g and |g|^2.
 [[RAYCHECK_FLATTEN gnu::noinline]] std::array<double, 8> bounds_of(const ExactRay::Source& source) {
   const IntervalGuard guard;
   const auto line = line_of(IntervalLift{}, source);
@@ -50,7 +50,7 @@ ExactRay::Direction ExactRay::direction_in_double_doubles() const {
   return direction_.get([this] { return direction_of(source_); });
 }
 
-/// The first stage; while it lives doubles round upward, and the ray's line is in intervals.
+/// The first stage: the ray's line in intervals. While an object lives, doubles round upward.
 struct ExactRay::Filter {
   explicit Filter(const ExactRay& ray)
       : line{lift_vector(IntervalLift{}, base_of(ray.source_)),
@@ -65,8 +65,8 @@ struct ExactRay::Filter {
   Line<IntervalKernel> line;
 };
 
-/// The filter stages: `sign` of the ray and two spheres by intervals, double-doubles, balls and the
-/// exact field, until one is certain; the last always is.
+/// Computes `sign` of the ray and two spheres by intervals, double-doubles, balls and the exact
+/// field until the result is certain; that of the field always is.
 template <class F>
 int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Filtering by,
                      F sign) const {
@@ -99,7 +99,6 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Fi
   return take(FilterStage::kField, *sign_under(lift, line_of(lift, source_)));
 }
 
-/// All coefficients at once.
 [[RAYCHECK_FLATTEN gnu::noinline]] std::optional<Intersection> ExactRay::intersect_by_intervals(
     const scene::Sphere& sphere, scene::Root root) const {
   const Filter filter(*this);
@@ -111,7 +110,7 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Fi
 Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root,
                                  Filtering by) const {
   scene::require_valid(sphere);
-  if (by.engine == Engine::kFiltered) {  // intervals nearly always decide
+  if (by.engine == Engine::kFiltered) {  // Intervals nearly always decide.
     if (const auto certain = intersect_by_intervals(sphere, root)) {
       raise(by, FilterStage::kIntervals);
       return *certain;
@@ -178,7 +177,8 @@ Number exactly(double value) {
 int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
                                 scene::TUnit unit, Filtering by) const {
   scene::require_valid(sphere);
-  // s = (b + sign sqrt(disc)) / a; of a unit direction over sqrt(a), as is the length of s g.
+  // s = (b + sign sqrt(disc)) / a. If the direction is unit, s is divided by sqrt(a) instead; so is
+  // the length of s g.
   return decide(sphere, sphere, by, [&]<class Pair>(const Pair& pair, const Pair&) {
     using Number = std::decay_t<decltype(pair.radius)>;
     const Number end = unit == scene::TUnit::kRadius ? Number(exactly<Number>(t) * pair.radius)
@@ -198,7 +198,7 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
                       Filtering by) const {
   scene::require_valid(first);
   scene::require_valid(second);
-  // Most ties are of equal spheres, which otherwise only the exact field could decide.
+  // Most ties are between equal spheres. Only the exact field could decide them otherwise.
   if (by.engine == Engine::kFiltered && first == second && at_first == at_second) return 0;
   return decide(first, second, by, [&](const auto& one, const auto& other) {
     const auto difference = linear_coefficient(one) - linear_coefficient(other);

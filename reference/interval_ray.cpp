@@ -9,7 +9,7 @@
 namespace raycheck::reference {
 namespace {
 
-/// Each input is known only up to a relative change.
+/// Lifts an input to the interval of all numbers within a relative change.
 struct WideLift {
   using Kernel = IntervalKernel;
   Interval factor;

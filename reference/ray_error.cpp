@@ -16,7 +16,7 @@ constexpr int kBits = 256;
 
 Triple<DoubleDouble> triple(const DoubleDoubleKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// measure(line) by double-doubles.
+/// Calls measure(line) with the line in double-doubles.
 template <class Measure>
 auto error_by_double_doubles(const ExactRay& ray, const Measure& measure) {
   return reference::by_double_doubles([&] { return measure(line_in_double_doubles(ray)); });
@@ -33,7 +33,7 @@ auto error_by_double_doubles(const ExactRay& ray, const scene::Sphere& sphere,
 
 using Pair = LineAndSphere<DoubleDoubleKernel>;
 
-/// The relative distance of a point from value(line).
+/// The distance of a point from value(line), relative to that.
 template <class Value>
 std::optional<Measured> distance_by_double_doubles(const ExactRay& ray, const scene::Point3& given,
                                                    const Value& value) {
@@ -42,8 +42,8 @@ std::optional<Measured> distance_by_double_doubles(const ExactRay& ray, const sc
   });
 }
 
-/// The exponent of a format's ulp around the smallest number within, which is the smallest of all;
-/// empty if unknown.
+/// The exponent of a format's ulp at the smallest number in the interval, which is the smallest ulp
+/// in it; empty if unknown.
 std::optional<int> ulp_exponent(const DoubleDouble& x, scene::Precision precision) {
   const double lower = abs(x).lower();
   if (!(lower >= std::numeric_limits<double>::min()) || !std::isfinite(x.high())) return {};
@@ -123,8 +123,8 @@ std::optional<Measured> ray_residual(const ExactRay& ray, const scene::Point3& g
 
 namespace {
 
-/// value(pair) by intervals. A separate function, so that no operation moves to where doubles round
-/// to nearest.
+/// Calls value(pair) with intervals. A separate function, so that the compiler moves no operation
+/// to where doubles round to nearest.
 template <class Value>
 [[gnu::noinline]] auto by_intervals(const ExactRay& ray, const scene::Sphere& sphere,
                                     const Value& value) {

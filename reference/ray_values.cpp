@@ -1,5 +1,5 @@
-// Narrow enclosures and correctly rounded values of a ray: double-doubles first, balls where these
-// are too wide, the exact field for zeros and ties.
+// Narrow enclosures and correctly rounded values of a ray: by double-doubles; by balls if these are
+// too wide; by the exact field for zeros and ties.
 
 #include <optional>
 #include <type_traits>
@@ -12,7 +12,7 @@ namespace {
 
 ExactNumber exact(const Rational& value) { return ExactNumber(FirstExtension(value)); }
 
-/// value(lift, line) by double-doubles.
+/// Calls value(lift, line) with double-doubles.
 template <class Value>
 auto by_double_doubles(const ExactRay& ray, const Value& value) {
   return reference::by_double_doubles(
@@ -32,9 +32,9 @@ std::optional<double> nearest_of(const DoubleDouble& value) {
 template <class Finish>
 constexpr bool kRounds = std::is_same_v<Finish, Round>;
 
-/// Applies narrow() or round_to_nearest() to value(lift, line), a number; compare(m) is the exact
-/// sign of value - m. Where double-doubles cannot exclude 0, is_zero(lift, line) may show that it
-/// is 0.
+/// Applies narrow() or round_to_nearest() to the number value(lift, line); compare(m) is the exact
+/// sign of value - m. If double-doubles cannot exclude that the value is 0, is_zero(lift, line) may
+/// show that it is.
 template <class Value, class IsZero, class Compare, class Finish>
 auto finish_number(const ExactRay& ray, const Value& value, IsZero is_zero, Compare compare,
                    Finish finish) {
@@ -49,7 +49,8 @@ auto finish_number(const ExactRay& ray, const Value& value, IsZero is_zero, Comp
       [&](int bits) { return by_balls(ray, value, bits); }, compare);
 }
 
-/// The same for a vector's three coordinates; compare(k, m) is the exact sign of coordinate k - m.
+/// Does the same for a vector's three coordinates; compare(k, m) is the exact sign of coordinate k
+/// minus m.
 template <class Result, class Value, class Compare, class Finish>
 Result finish_vector(const ExactRay& ray, const Value& value, Compare compare, Finish finish) {
   const DoubleDoubleKernel::Vector_3 first = by_double_doubles(ray, value);
@@ -68,7 +69,7 @@ Result finish_vector(const ExactRay& ray, const Value& value, Compare compare, F
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// Exact comparisons of a line's values with rationals; the line is made on first use.
+/// Compares a line's values with rationals, exactly. The line is made on first use.
 class ExactValues {
  public:
   explicit ExactValues(const ExactRay& ray) : source_(ray.source()) {}
@@ -137,7 +138,7 @@ Result finish_direction(const ExactRay& ray, Finish finish) {
       [&](int k, const Rational& m) { return values.compare_direction(k, m); }, finish);
 }
 
-/// Whether c is certainly 0 and the given root, of 0 and 2 b/a, is 0.
+/// Whether c is certainly 0, so that the roots are 0 and 2 b/a, and the given root is 0.
 template <class K>
 bool is_certainly_zero(const LineAndSphere<K>& pair, int root_sign) {
   if (certain_sign(constant_coefficient(pair)) != 0) return false;
@@ -212,7 +213,7 @@ scene::Point3 ExactRay::rounded_point(const scene::Sphere& sphere, const Interse
   return finish_point<scene::Point3>(*this, sphere, intersection, Round{precision});
 }
 
-// At one working precision.
+// The values at one working precision.
 
 Enclosure3 EnclosedRay::origin() const { return coordinates(ray_origin(impl_->line)); }
 Enclosure3 EnclosedRay::pixel_point() const {

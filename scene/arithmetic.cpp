@@ -6,7 +6,7 @@
 namespace raycheck::scene {
 
 std::string arithmetic_defect() {
-  // Volatile: computed when this runs.
+  // Volatile, so that the compiler does not compute this in advance.
   const volatile double one = 1, least = std::numeric_limits<double>::min();
   const volatile double half_ulp = 0x1p-53, below_two = 0x1.fffffffffffffp+0;
   if (std::fegetround() != FE_TONEAREST || one + half_ulp != 1 || -one - half_ulp != -1 ||

@@ -5,7 +5,7 @@
 
 namespace raycheck::scene {
 
-/// While it lives, this thread's doubles round to nearest and keep subnormals.
+/// While an object lives, this thread's doubles round to nearest and keep subnormals.
 class PlainArithmetic {
  public:
   PlainArithmetic() {
@@ -20,9 +20,9 @@ class PlainArithmetic {
   std::fenv_t before_{};
 };
 
-/// How this thread's arithmetic differs from what every bound here assumes: doubles that round to
-/// nearest and keep subnormals, with correctly rounded square roots and fused operations. Empty if
-/// it does not differ.
+/// What is wrong with this thread's arithmetic; empty if nothing is. All error bounds assume
+/// doubles that round to nearest and keep subnormals, and correctly rounded square roots and fused
+/// operations.
 std::string arithmetic_defect();
 
 }  // namespace raycheck::scene

@@ -8,15 +8,15 @@
 namespace raycheck::scene {
 
 /// A camera as in the lecture: W = (eye - look_at) normalised, U = up x W normalised, V = W x U.
-/// Lengths are scene lengths; near and far are signed positions along W, negative in front of the
-/// eye; the image plane is at near and bounded along U by left, right and along V by bottom, top.
+/// Lengths are scene lengths. near and far are signed positions along W, negative in front of the
+/// eye. The image plane is at near, from left to right along U and from bottom to top along V;
 /// left > right or bottom > top mirrors the image.
 struct Camera {
   Point3 eye;
   Point3 look_at;
   Vector3 up;
   double near = 0;
-  std::optional<double> far;  ///< No formula uses it; kept for the files that state it.
+  std::optional<double> far;  ///< Not used in any formula; kept because some files state it.
   double left = 0;
   double right = 0;
   double bottom = 0;
@@ -26,10 +26,10 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// The most pixels that an image may have across, and down, so that pixel indices fit 64 bits.
+/// The largest width and height of an image; the index of a pixel in the image then fits 64 bits.
 inline constexpr std::int64_t kMostPixelsAcross = (std::int64_t{1} << 31) - 1;
 
-/// Pixel (i, j): column i of width, row j of height, counted as the `rows` convention says.
+/// The pixel in column i and row j; the `rows` convention says which row is j = 0.
 struct Pixel {
   std::int64_t i = 0;
   std::int64_t j = 0;

@@ -9,26 +9,26 @@ namespace raycheck::scene {
 
 /// Which image row is j = 0.
 enum class Rows { kBottomFirst, kTopFirst };
-/// Where in its cell of the image plane a pixel is sampled: i/(w-1), or (i+1/2)/w.
+/// Where a pixel's point lies on the image plane: i/(w-1) or (i+1/2)/w of the way across.
 enum class Samples { kEdges, kCentres };
 /// Where a camera ray starts: at the pixel point P, or at the eye E.
 enum class Origin { kPixel, kFocal };
-/// Which root is the intersection: the smallest >= 0, or always v - d (negative: a miss).
+/// Which root is the hit: the smallest >= 0, or always v - d (if it is negative, the ray misses).
 enum class Root { kNearest, kSmaller };
-/// Whether a double root is a hit; kEither is not judged.
+/// Whether a double root is a hit. With kEither, tangents are not judged.
 enum class Tangent { kHit, kMiss, kEither };
 
-/// Whether the ends of an interval of parameters belong to it.
+/// Which of t_min and t_max themselves count.
 enum class Ends { kClosed, kOpenMax, kOpenMin, kOpen };
 /// The unit of t_min and t_max: s itself, radii of the sphere that is met, or scene lengths along
 /// the ray, |direction| s.
 enum class TUnit { kAbsolute, kRadius, kLength };
-/// Which roots never count: v + d, where a ray leaves a sphere (on back faces), or v - d, where it
-/// enters one.
+/// Which root never counts: v + d, where a ray leaves a sphere (a back face), or v - d, where it
+/// enters a sphere (a front face).
 enum class Culling { kNone, kBackFaces, kFrontFaces };
 
-/// Which roots count: those between t_min and t_max that are not culled. `root` chooses among them.
-/// With a t_min of -infinity lines are met, not rays.
+/// The roots that count: those from t_min to t_max that are not culled. `root` chooses among them.
+/// If t_min is -infinity, lines are intersected instead of rays.
 struct ValidRoots {
   double t_min = 0;
   double t_max = std::numeric_limits<double>::infinity();

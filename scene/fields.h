@@ -1,6 +1,6 @@
 #pragma once
 
-// The fields of a scene, listed once: by their names in files, in the order of files.
+// The fields of a scene, with their names and in their order in files.
 
 #include <concepts>
 #include <type_traits>
@@ -12,7 +12,7 @@ namespace raycheck::scene {
 template <class T, class Plain>
 concept Either = std::same_as<std::remove_const_t<T>, Plain>;
 
-/// Calls visit(name, field) for every field.
+/// Calls visit(name, field) for every field of a camera; the overloads below do so for others.
 template <Either<Camera> ACamera, class Visit>
 void for_each_field(ACamera& camera, Visit visit) {
   visit("eye", camera.eye);
@@ -45,7 +45,8 @@ void for_each_field(AValidRoots& valid, Visit visit) {
   visit("t_unit", valid.unit);
   visit("culling", valid.culling);
 }
-/// The same for Conventions, or declared ones (which may be absent), without the valid roots.
+/// Calls visit(name, field) for every choice in conventions except the valid roots. The choices may
+/// be optional, as in a candidate's declarations.
 template <class SomeConventions, class Visit>
 void for_each_choice(SomeConventions& conventions, Visit visit) {
   visit("rows", conventions.rows);
@@ -55,9 +56,9 @@ void for_each_choice(SomeConventions& conventions, Visit visit) {
   visit("tangent", conventions.tangent);
 }
 
-/// Calls length(double&) for every number that changes with the unit of length, and other(double&)
-/// for `up` and the directions of given rays, which do not; always in the same order. (No formula
-/// uses a camera's `far`.)
+/// Calls length(double&) for every length and coordinate of a point, and other(double&) for the
+/// coordinates of `up` and of given directions, which do not depend on the unit of length. The
+/// order is fixed. A camera's `far`, which no formula uses, is left out.
 template <class Length, class Other>
 void for_each_length_and_other(Scene& scene, Length& length, Other& other) {
   const auto each = [](auto& triple, auto& number) {

@@ -2,7 +2,7 @@
 
 namespace raycheck::scene {
 
-/// A displacement. Plain doubles, taken exactly as given.
+/// A displacement. Its doubles are taken exactly as given.
 struct Vector3 {
   double x = 0;
   double y = 0;
@@ -18,7 +18,7 @@ struct Point3 {
   bool operator==(const Point3&) const = default;
 };
 
-/// A vector meant to have length 1, up to rounding.
+/// A vector that should have length 1, up to rounding.
 struct UnitVector3 {
   double x = 0;
   double y = 0;
@@ -31,22 +31,22 @@ inline Vector3 operator-(const Point3& to, const Point3& from) {
   return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
 
-/// A ray origin + s direction, s >= 0; the direction need not be unit.
+/// The points origin + s direction, s >= 0. The direction need not be unit.
 struct Ray {
   Point3 origin;
   Vector3 direction;
   bool operator==(const Ray&) const = default;
 };
 
-/// A sphere; radius 0 is a point.
+/// A sphere; with radius 0, a point.
 struct Sphere {
   Point3 centre;
   double radius = 0;
   bool operator==(const Sphere&) const = default;
 };
 
-/// Every T whose numbers each lie between those of `least` and of `greatest`, ends included.
-/// Domain: no number of `least` is above that of `greatest`.
+/// All T whose numbers each lie between the numbers of `least` and `greatest`, ends included.
+/// Domain: each number of `least` is at most that of `greatest`.
 template <class T>
 struct Box {
   T least, greatest;

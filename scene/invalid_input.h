@@ -5,8 +5,8 @@
 
 namespace raycheck::scene {
 
-/// An input that is refused: its field, its value (may be empty) and the reason; what() is "field
-/// value: why".
+/// A refused input: its field, its value (may be empty) and the reason. what() is "field value:
+/// why".
 class InvalidInput : public std::invalid_argument {
  public:
   InvalidInput(const std::string& field, const std::string& value, const std::string& why)

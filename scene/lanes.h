@@ -1,5 +1,5 @@
-// Doubles side by side, with the operators and functions of a single number, so that a formula is
-// one template for every number type.
+// Vectors of doubles with the operators and functions of a single number, so that a formula is one
+// template for every number type.
 //
 // The code in HWY_NAMESPACE is compiled once for each of Highway's targets, hence the guard.
 // Every operation rounds each lane once, as IEEE-754 says: lanes agree with doubles to the bit.
@@ -34,7 +34,7 @@ using scene::square_root;
 
 using DoubleTag = hn::ScalableTag<double>;
 
-/// The result of comparing lanes: one truth value per lane. Scalars use bool and its operators.
+/// The result of comparing lanes: one truth value per lane. For single numbers it is bool.
 struct LaneMask {
   hn::Mask<DoubleTag> raw;
 };
@@ -47,7 +47,7 @@ HWY_INLINE bool any(bool a) { return a; }
 HWY_INLINE bool all(bool a) { return a; }
 HWY_INLINE bool all(LaneMask a) { return hn::AllTrue(DoubleTag(), a.raw); }
 
-/// As many doubles as one register of the target holds.
+/// The doubles in one register of the target.
 struct Lanes {
   hn::Vec<DoubleTag> raw;
 
@@ -83,7 +83,8 @@ HWY_INLINE Lanes select(LaneMask condition, Lanes yes, Lanes no) {
 inline constexpr std::size_t kLaneCount = hn::MaxLanes(DoubleTag());
 
 HWY_INLINE Lanes load(const double* from) { return Lanes(hn::LoadU(DoubleTag(), from)); }
-/// kLaneCount times four: the first of each, the second and so on.
+/// Loads kLaneCount groups of four doubles: a gets the first of each group, b the second, and so
+/// on.
 HWY_INLINE void load_fours(const double* from, Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
   hn::LoadInterleaved4(DoubleTag(), from, a.raw, b.raw, c.raw, d.raw);
 }

@@ -13,8 +13,8 @@ namespace {
 constexpr std::string_view kHexDigitsAndPoint = "0123456789abcdefABCDEF.";
 constexpr long long kExponentLimit = 1'000'000'000'000'000;
 
-// Whether a number outside the doubles' range is above it, from the place of its first nonzero
-// digit and its exponent; a coarse estimate is enough, since the range has both signs of exponent.
+// Whether a number outside the range of doubles is too large, not too small. The sign of its power
+// is enough, estimated from the place of its first nonzero digit and its exponent.
 bool is_above_range(std::string_view text, bool is_hex) {
   const std::size_t marker = text.find_first_of(is_hex ? "pP" : "eE");
   const std::string_view mantissa = text.substr(0, marker);
@@ -71,7 +71,7 @@ double to_digits(double value, int digits) {
 std::string hexfloat(double value) {
   if (!std::isfinite(value)) return shortest(value);
   const int power = value == 0 ? 0 : std::ilogb(value);
-  // Scaled to [1, 2): libraries write subnormal numbers differently.
+  // Scaled to [1, 2), since libraries differ in how they write subnormal numbers.
   std::string text = characters(std::scalbn(std::abs(value), -power), std::chars_format::hex);
   text.resize(text.find('p') + 1);
   return (std::signbit(value) ? "-0x" : "0x") + text + (power < 0 ? "" : "+") +

@@ -7,8 +7,8 @@
 namespace raycheck::scene {
 
 /// Reads all of `text` as one double, rounded to nearest: decimals (`-1`, `.75`, `+2.5e-3`) and
-/// hexfloats (`0x1.8p+3`). Empty when `text` is anything else. An overflow reads as infinity, and
-/// `inf` and `nan` as themselves, so that validation can refuse them and name the field.
+/// hexfloats (`0x1.8p+3`). Empty if `text` is anything else. `inf` and `nan` are read, and an
+/// overflow is read as infinity, so that validation can refuse them and name the field.
 std::optional<double> parse_number(std::string_view text);
 
 /// The shortest decimal that reads back as the same double.

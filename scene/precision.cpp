@@ -5,8 +5,8 @@
 
 namespace raycheck::scene {
 
-// Not inline: if two numbers are rounded side by side, GCC 12 at -O3 vectorises them and drops the
-// conversion to float and back.
+// Not inline: if two numbers are rounded next to each other, GCC 12 at -O3 vectorises the code and
+// drops the conversion to float and back.
 [[gnu::noinline]] double rounded_to(Precision precision, double x) {
   return precision == Precision::kSingle ? static_cast<double>(static_cast<float>(x)) : x;
 }

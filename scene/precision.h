@@ -7,9 +7,8 @@
 
 namespace raycheck::scene {
 
-/// The format that a candidate computes in and is judged in: its inputs are numbers of that
-/// format (every float is a double, and is passed as one), and its errors count ulp and u of that
-/// format.
+/// The format that a candidate computes in and is judged in. Its inputs are numbers of this format
+/// (floats are passed as doubles), and its errors are counted in ulp and u of this format.
 enum class Precision { kDouble, kSingle };
 inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"double", "single"};
 constexpr auto& names_of(Precision /*of*/) { return kPrecisionNames; }
@@ -32,8 +31,8 @@ constexpr double unit_roundoff(Precision precision) {
   return precision == Precision::kSingle ? 0x1p-24 : 0x1p-53;
 }
 
-/// The unit of an error: ulp, the gap between the numbers of a format around the exact value, or u
-/// of that value's size.
+/// The unit of an error: ulp, the gap between the numbers of a format at the exact value; or u
+/// times the size of the exact value.
 enum class Unit { kUlp, kU };
 
 /// An error in ulp or u of a format.
@@ -42,7 +41,7 @@ struct Measured {
   Unit unit = Unit::kU;
   Precision format = Precision::kDouble;
 
-  /// The same in u of another format; ulp cannot be converted.
+  /// The error in u of another format. Errors in ulp stay as they are.
   constexpr Measured in(Precision other) const {
     if (unit == Unit::kUlp || format == other) return *this;
     return {value * (unit_roundoff(format) / unit_roundoff(other)), unit, other};
@@ -51,10 +50,10 @@ struct Measured {
   auto operator<=>(const Measured&) const = default;
 };
 
-/// The number of the format nearest to a double, ties to even; beyond its range infinite.
+/// A double rounded to the format: to nearest, ties to even; infinite beyond the format's range.
 double rounded_to(Precision precision, double x);
 
-/// The neighbour of x, a number of the format, in the direction of `toward`.
+/// The number of the format next to x in the direction of `toward`. Domain: x is of the format.
 double next_after(Precision precision, double x, double toward);
 
 }  // namespace raycheck::scene

@@ -9,8 +9,8 @@
 
 namespace raycheck::scene {
 
-/// Rays that come from a camera's pixels or are given one by one (exactly one of the two), the
-/// spheres they may meet, and the conventions under which answers are judged.
+/// A camera or given rays (exactly one of the two), the spheres that the rays may meet, and the
+/// conventions under which answers are judged.
 struct Scene {
   std::optional<Camera> camera;
   std::vector<Ray> rays;

@@ -12,7 +12,7 @@ constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 /// A character and its length in bytes.
 struct Character {
   std::uint32_t code = 0;
-  std::size_t bytes = 0;  ///< 0: the text starts with no valid character.
+  std::size_t bytes = 0;  ///< 0: the text does not start with a valid character.
 };
 
 /// The first character of a nonempty text.
@@ -27,7 +27,7 @@ Character first_of(std::string_view text) {
     if ((byte(k) & 0xC0) != 0x80) return {};
     code = code << 6 | (byte(k) & 0x3FU);
   }
-  // Overlong, a UTF-16 surrogate, or beyond the last code point.
+  // Invalid: an overlong form, a UTF-16 surrogate, or a number beyond the last code point.
   constexpr std::array<std::uint32_t, 5> kFirst = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_none =
       code < kFirst[count] || (code >= 0xD800 && code <= 0xDFFF) || code > 0x10FFFF;

@@ -16,8 +16,8 @@ bool is_finite(const Triple& triple) {
 
 bool is_zero(const Vector3& vector) { return vector == Vector3{}; }
 
-/// Whether a b and c d certainly differ, for factors that are off by at most one rounding each. Of
-/// normal numbers each product is then off by at most 3 roundings and a little.
+/// Whether a b and c d certainly differ, for factors that are off by at most one rounding each.
+/// Products of normal factors are then off by little more than 3 roundings.
 bool certainly_differ(double a, double b, double c, double d) {
   constexpr double kSmallestSum = 0x1p-900, kLargestSum = 0x1p1000, kRoundings = 0x1p-50;
   const double one = a * b, other = c * d, sum = std::abs(one) + std::abs(other);
@@ -41,8 +41,8 @@ bool is_exactly_parallel(const Vector3& vector, const Point3& from, const Point3
          vector_x * y == vector_y * x;
 }
 
-// Collects the defects of one input under the name `input_`, e.g. "sphere[2]", or only looks
-// whether there are any.
+// Collects the defects of one input, named `input_` ("sphere[2]"), or only finds whether there is
+// one.
 class Collector {
  public:
   Collector() = default;
@@ -83,7 +83,8 @@ class Collector {
   }
 
   void check_edges(const Camera& camera) {
-    const char* const what = "is too few; samples = edges needs 2 or more";
+    const char* const what =
+        "is too few; samples = edges divides by this number less 1: give 2 or more";
     if (camera.width == 1) add("width", camera.width, what);
     if (camera.height == 1) add("height", camera.height, what);
   }
@@ -144,7 +145,7 @@ std::vector<Defect> defects_of(const char* name, const Input& input) {
   return found;
 }
 
-// Most spheres are valid: for these no field name is built.
+// A quick test that builds no field names, since most spheres are valid.
 bool is_plainly_valid(const Sphere& sphere) {
   return is_finite(sphere.centre) && std::isfinite(sphere.radius) && sphere.radius >= 0;
 }
@@ -176,7 +177,8 @@ std::invalid_argument refusal(const Input& input) {
   return std::invalid_argument(sentences(defects(input)));
 }
 
-/// The exception leaves no object to destroy, which would cost as much as throwing it.
+/// The exception is made in refusal(), so that the throw leaves no object to destroy here: that
+/// would take as long as the throw.
 template <typename Input>
 void require(const Input& input) {
   if (!is_valid(input)) throw refusal(input);
@@ -237,7 +239,7 @@ std::vector<Defect> defects(const Scene& scene) { return defects(scene, scene.co
 std::vector<Defect> defects(const Scene& scene, const Conventions& conventions) {
   std::vector<Defect> found = defects(conventions);
   if (!scene.camera && scene.rays.empty()) {
-    found.push_back({"scene", "no camera and no rays", "needs one of the two"});
+    found.push_back({"scene", "(empty)", "has neither a camera nor rays; give one of the two"});
   }
   if (scene.camera && !scene.rays.empty()) {
     const std::string rays = std::to_string(scene.rays.size());
@@ -256,7 +258,7 @@ std::vector<Defect> defects(const Scene& scene, const Conventions& conventions) 
 void require_valid(const Camera& camera) { require(camera); }
 void require_valid(const Ray& ray) { require(ray); }
 void require_valid(const Sphere& sphere) {
-  // Called at every exact decision.
+  // This is called at every exact decision and must be fast.
   if (!is_plainly_valid(sphere)) throw refusal(sphere);
 }
 void require_valid(const Scene& scene) { require_valid(scene, scene.conventions); }

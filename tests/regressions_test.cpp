@@ -32,7 +32,7 @@ struct Exact {
 const std::map<std::string, Exact> kExact = {
     {"axial-distance-minus-zero", {HitClass::kMiss}},
     {"exact-tie", {HitClass::kHit, 4}},
-    {"far-point-textbook-sees-a-hit", {HitClass::kMiss}},
+    {"far-point-textbook-finds-a-hit", {HitClass::kMiss}},
     {"far-sphere-textbook-loses-digits", {HitClass::kHit, 0x1.d9d3a802e8f76p+14}},
     {"far-sphere-lecture-misses", {HitClass::kHit, 9999999.9687750097}},
     {"grazing-345-exact", {HitClass::kTangent, 2}},
@@ -63,11 +63,11 @@ const std::map<std::string, Broken> kBroken = {
      {{"far-sphere-lecture-misses", {"class"}},
       {"far-sphere-textbook-loses-digits", {"hit-point"}}}},
     {"direct/quadratic",
-     {{"far-point-textbook-sees-a-hit", {"class"}},
+     {{"far-point-textbook-finds-a-hit", {"class"}},
       {"far-sphere-lecture-misses", kOfHits},
       {"far-sphere-textbook-loses-digits", kOfHits}}},
     {"direct/stable-quadratic",
-     {{"far-point-textbook-sees-a-hit", {"class"}},
+     {{"far-point-textbook-finds-a-hit", {"class"}},
       {"far-sphere-lecture-misses", kOfHits},
       {"far-sphere-textbook-loses-digits", kOfHits}}}};
 

@@ -1,7 +1,7 @@
-# Checks when CMake configures: dependencies between rooms that SEES does not list, libraries that a room does not link, and
-# code that must not be in a room. raycheck_note_room() is called for every room, then raycheck_check_rooms() once.
+# CMake stops the configuration if a room includes a room that is not in its SEES, includes a library that it does not link, or
+# contains code that it must not. raycheck_note_room() is called for every room, then raycheck_check_rooms() once.
 
-# Folders of rooms, and for each room its dependencies, and the libraries that it links and shows.
+# Notes the folders of a room, the rooms that it includes, and the libraries that it links and shows.
 function(raycheck_note_room room)
   cmake_parse_arguments(ARG "" "" "INSIDE;SEES;LINKS;SHOWS" ${ARGN})
   get_property(rooms GLOBAL PROPERTY raycheck_rooms)
@@ -20,7 +20,7 @@ function(raycheck_note_room room)
   endforeach()
 endfunction()
 
-# The room of a file: the edge, with all commands, is `tools`; benchmarks may include what they measure.
+# Finds the room of a file. The edge, with all commands, is `tools`; benchmarks may include the code that they measure.
 function(room_of file result)
   get_filename_component(folder ${file} DIRECTORY)
   get_property(room GLOBAL PROPERTY raycheck_room_of_${folder})
@@ -32,16 +32,16 @@ function(room_of file result)
   set(${result} "${room}" PARENT_SCOPE)
 endfunction()
 
-# Headers of reference/internal that other headers may include: they do not include CGAL.
+# Headers of reference/internal that other headers may include, since they do not include CGAL.
 set(plain reference/internal/double_double.h reference/internal/kept.h reference/internal/triple.h)
-# Folders of headers of other libraries, and the targets by which a room links them.
+# Folders of headers of other libraries, with the targets by which a room links these libraries.
 set(libraries CGAL CGAL::CGAL Eigen Eigen3::Eigen rapidcheck rapidcheck CLI CLI11::CLI11 png PNG::PNG openssl OpenSSL::Crypto
   toml++ tomlplusplus::tomlplusplus archive LibArchive::LibArchive)
 # Code that prints, ends the program or handles its signals.
 set(prints "std::c(out|err|log)|[^n]printf\\(|[^f]puts\\(|fmt::print|, std(out|err)|perror\\(|std::(exit|abort|quick_exit|signal)|sigaction\\(")
 # Programs that send data to raycheck through their standard output.
 set(print_by_trade tools/external/sandbox/jail.cpp tools/external/protocol/worker.cpp tools/external/protocol/last_frames.cpp)
-# Code that names options: command lines of other programs, and of the package that runs raycheck.
+# Code that may name options: command lines of other programs, and of the package that runs raycheck.
 set(option "^\"(.*[^-])?--[a-z]")
 set(write_command_lines tools/external/sandbox/launch.cpp tools/external/compile.cpp tools/external/implementation_of.cpp
   tools/implementations/implementation.cpp tools/view/scene_view.cpp tools/view/panel/panel.cpp tools/grade/package.cpp
@@ -112,13 +112,13 @@ function(raycheck_check_rooms)
     if(room STREQUAL tools)
       continue()
     endif()
-    # Comments aside; brackets and semicolons would make lists.
+    # Without comments, and without brackets and semicolons, which CMake would read as lists.
     file(READ ${file} text)
     string(REGEX REPLACE "(^|\n) *//[^\n]*" "" text "${text}")
     if(text MATCHES "${prints}" AND NOT file IN_LIST print_by_trade)
       message(SEND_ERROR "${file} uses ${CMAKE_MATCH_0}: only the edge prints")
     endif()
-    # Views for people may name options that show more.
+    # Text reports may name options that show more.
     string(REGEX MATCHALL "\"([^\"\\\n]|\\\\.)*\"" literals "${text}")
     list(FILTER literals INCLUDE REGEX "${option}")
     if(file MATCHES "_(text|page)[.]cpp$")
@@ -157,7 +157,7 @@ function(raycheck_check_rooms)
       message(SEND_ERROR "include/${file} shows others: ${lines}")
     endif()
   endforeach()
-  # Tests mirror rooms, except those of deliberate mistakes and of bad luck.
+  # Tests are in the same folders as rooms, except those of deliberate mistakes and of system failures.
   file(GLOB_RECURSE tests RELATIVE ${PROJECT_SOURCE_DIR}/tests tests/*_test.cpp)
   foreach(test IN LISTS tests)
     get_filename_component(folder ${test} DIRECTORY)

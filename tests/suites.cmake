@@ -1,11 +1,10 @@
-# One test of ctest for each suite of a program, so that a suite's tests are one process and share what they prepare:
-# cmake -DPROGRAM=path -DLABEL=unit [-DLONG=...] -DTO=file -P suites.cmake. The file is for TEST_INCLUDE_FILES. LONG, a regular
-# expression of names, are of label `long`; so are suites that begin with Long, those that begin with Nightly of label
-# `nightly`, and of label `hostile`, too, those of attacks
-# and bad luck, which are called Hostile... (or LongHostile, Attacks, DegenerateSubmission).
+# Makes one ctest test of each suite of a program, so that the tests of a suite run in one process and share what they prepare:
+# cmake -DPROGRAM=path -DLABEL=unit [-DLONG=...] -DTO=file -P suites.cmake. The file is for TEST_INCLUDE_FILES. Suites whose
+# names match the regular expression LONG or begin with Long get the label `long`; names that begin with Nightly get `nightly`;
+# suites of attacks and system failures (Hostile..., LongHostile..., Attacks, DegenerateSubmission) also get `hostile`.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
-# A suite begins its line and ends with a dot; a comment may follow.
+# In the list, a suite's name begins a line and ends with a dot; a comment may follow.
 string(REGEX MATCHALL "\n[A-Za-z0-9_/]+[.]" suites "${listed}")
 set(tests "")
 foreach(suite IN LISTS suites)
@@ -19,7 +18,7 @@ foreach(suite IN LISTS suites)
   elseif(suite MATCHES "(^|/)Long" OR (LONG AND suite MATCHES "^(${LONG})(/|$)"))
     list(APPEND labels long)
   endif()
-  # These take long and share nothing: their parameters are distributed to four processes.
+  # These suites take long and share nothing: four processes divide their parameters.
   set(shards 0)
   set(last 0)
   if(suite MATCHES "^(Degenerate|Files|Machines)/")

@@ -7,12 +7,16 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <new>
+#include <numeric>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "properties/cases/case_text.h"
@@ -21,8 +25,8 @@
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
 #include "scene/text.h"
-#include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
 #include "tools/report/version.h"
@@ -35,7 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Options whose value is a file to write; for --report it follows the kind.
+/// Options whose value is a file to write. (For --report, the file follows the format.)
 constexpr const char* kWriting[] = {"--certificates", "--out",  "--package",
                                     "--report",       "--save", "--view"};
 
@@ -70,7 +74,8 @@ bool is_same(const std::string& a, const std::string& b) {
   return !a.empty() && !error && one == other;
 }
 
-/// Throws std::invalid_argument if a file to write lies in a folder of units: it could replace one.
+/// Throws std::invalid_argument if a file to write lies in a folder of units, where it could
+/// replace a unit.
 void require_no_unit(const CLI::App& command, const Written& file) {
   for (const char* name : {"--merged", "--out"}) {
     const CLI::Option* const option = command.get_option_no_throw(name);
@@ -83,14 +88,14 @@ void require_no_unit(const CLI::App& command, const Written& file) {
         continue;
       }
       throw std::invalid_argument(
-          fmt::format("{} {}: lies in {}, a campaign's folder of units; give a file elsewhere",
+          fmt::format("{} {}: lies in {}, the folder of a campaign's units; give a file elsewhere",
                       file.named_by, file.path, folder));
     }
   }
 }
 
-/// Throws std::invalid_argument if a file that one option writes is also named by another argument
-/// of the command, also through links: to be read (also as a word of a candidate), or written.
+/// Throws std::invalid_argument if another argument of the command also names, directly or through
+/// links, a file that an option writes: to read it (also as a word of a candidate), or to write it.
 /// Domain: a command whose arguments are parsed.
 void require_written_apart(const CLI::App& command) {
   const std::vector<Written> all = written_by(command);
@@ -113,7 +118,8 @@ void require_written_apart(const CLI::App& command) {
   }
 }
 
-/// Ends a command that was interrupted before it had anything to report, or had written all of it.
+/// Ends a command that was interrupted before it had results, or before all of its report was
+/// written.
 int end_without_report(const CLI::App& command) {
   if (has_written_out()) {
     print_error("raycheck: interrupted before everything was written\n");
@@ -127,19 +133,36 @@ int end_without_report(const CLI::App& command) {
   return exit_code(true, false, false);
 }
 
+/// The name by which an option was given, "--methods"; its first name if it was not given.
+std::string given_name(const CLI::Option& option, std::span<char* const> words) {
+  for (const std::string& name : option.get_lnames()) {
+    const std::string whole = "--" + name;
+    if (std::ranges::any_of(words, [&](std::string_view word) {
+          return word.substr(0, word.find('=')) == whole;
+        })) {
+      return whole;
+    }
+  }
+  return option.get_name();
+}
+
 /// The text of an error. Libraries name fields; if an option sets the field, names the option.
-std::string error_message(const std::exception& error, const CLI::App& command) {
+/// `words`: the command line.
+std::string error_message(const std::exception& error, const CLI::App& command,
+                          std::span<char* const> words) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return command.get_name() + ": not enough memory";
   }
   if (const auto* file = dynamic_cast<const fs::filesystem_error*>(&error)) {
-    return fmt::format("{}: cannot be read or written: {}; change its permissions, or give another",
-                       file->path1().string(), file->code().message());
+    return fmt::format(
+        "{}: cannot be read or written: {}; make it accessible, or give another file",
+        file->path1().string(), file->code().message());
   }
   const auto* input = dynamic_cast<const scene::InvalidInput*>(&error);
-  const bool is_option =
-      input != nullptr && command.get_option_no_throw("--" + input->field()) != nullptr;
-  return std::string(is_option ? "--" : "") + error.what();
+  const CLI::Option* const option =
+      input == nullptr ? nullptr : command.get_option_no_throw("--" + input->field());
+  if (option == nullptr) return error.what();
+  return given_name(*option, words) + std::string(error.what()).substr(input->field().size());
 }
 
 /// The message of an internal error; `words`: the command line.
@@ -154,7 +177,7 @@ std::string internal_error_message(const std::exception& error, std::span<char* 
   return text + "\nand this case:\n" + properties::scene_text(*ours->the_case, "internal error");
 }
 
-/// The exit code of a command, whatever it throws.
+/// Runs a command and returns its exit code, whatever the command throws.
 int outcome_of(const Command& command, std::span<char* const> words) {
   const std::function<bool()> is_interrupted = interrupted;
   try {
@@ -172,23 +195,136 @@ int outcome_of(const Command& command, std::span<char* const> words) {
       print_error(internal_error_message(error, words));
       return kExitInternal;
     }
-    print_error(fmt::format("raycheck: {}\n", error_message(error, *command.app)));
+    print_error(fmt::format("raycheck: {}\n", error_message(error, *command.app, words)));
     return kExitBadInput;
   }
+}
+
+/// Leaves out the names of hidden options, which the parser's formatter shows as empty.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    std::string text = CLI::Formatter::make_option_opts(option);
+    for (std::size_t at; (at = text.find("  ")) != std::string::npos;) text.erase(at, 1);
+    if (text.ends_with(' ')) text.pop_back();
+    constexpr std::string_view kNone = " Excludes:";
+    if (text.ends_with(kNone)) text.resize(text.size() - kNone.size());
+    return text;
+  }
+};
+
+/// The number of characters to insert, remove or replace that turns one word into the other.
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
+/// The visible option of a command whose name is most like a word; empty if none is.
+std::string option_like(const std::string& word, const CLI::App& command) {
+  constexpr std::size_t kMostEdits = 2;
+  std::string best;
+  std::size_t fewest = kMostEdits + 1;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const std::size_t edits = edits_between(word.substr(0, word.find('=')), name);
+    if (!name.starts_with("--") || edits >= fewest) continue;
+    best = name;
+    fewest = edits;
+  }
+  return best;
+}
+
+/// Names the first unknown option, or else the first argument too many.
+std::string unexpected_text(const CLI::App& command) {
+  const std::vector<std::string> all = command.remaining();
+  const auto option =
+      std::ranges::find_if(all, [](const std::string& word) { return word.starts_with("-"); });
+  if (option == all.end()) {
+    return all.empty() ? "" : fmt::format("{}: is one argument too many", all.front());
+  }
+  const std::string like = option_like(*option, command);
+  return fmt::format("{}: there is no such option{}", *option,
+                     like.empty() ? "" : fmt::format("; did you mean {}?", like));
+}
+
+/// The message of a refused value in the form of all messages about options: "--top x: give ...".
+std::string refused_value_text(std::string_view text) {
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string_view::npos) return std::string(text);
+  const std::string_view name = text.substr(0, colon), why = text.substr(colon + 2);
+  const auto of_value = [&](std::string_view value, std::string_view what) {
+    return fmt::format("{} {}: {}", name, value, what);
+  };
+  // Of the validators in arguments.cpp.
+  constexpr std::string_view kNot = ", not '";
+  if (const std::size_t at = why.find(kNot); why.starts_with("give ") && at < why.size()) {
+    std::string_view value = why.substr(at + kNot.size());
+    value.remove_suffix(1);
+    return of_value(value, why.substr(0, at));
+  }
+  // Of the parser's validators.
+  constexpr std::string_view kNotIn = " not in {", kNoFolder = "Directory does not exist: ";
+  if (const std::size_t at = why.rfind(kNotIn); at < why.size() && why.ends_with('}')) {
+    std::string names;
+    for (const char c : why.substr(at + kNotIn.size(), why.size() - at - kNotIn.size() - 1)) {
+      names += c == ',' ? ", " : std::string(1, c);
+    }
+    return of_value(why.substr(0, at), "give one of " + names);
+  }
+  if (why.starts_with(kNoFolder)) {
+    return of_value(why.substr(kNoFolder.size()), "there is no such folder");
+  }
+  return std::string(text);
+}
+
+/// Why the parser refuses the arguments.
+std::string refusal_text(const CLI::ParseError& error, const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  const CLI::App& command = commands.empty() ? app : *commands.front();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    if (std::string text = unexpected_text(command); !text.empty()) return text;
+  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && commands.empty()) {
+    return "give a command: " + scene::joined(kCommands, ", ", &CommandRow::name);
+  }
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
+    return refused_value_text(error.what());
+  }
+  return error.what();
 }
 
 /// Prints the parser's help or error message.
 int exit_of(const CLI::ParseError& said, const CLI::App& app) {
   std::ostringstream help, refusal;
-  const bool is_help = app.exit(said, help, refusal) == 0;
-  print_error(refusal.str());
-  if (is_help) print_report(help.str());
-  return is_help ? kExitNothingFound : kExitBadInput;
+  if (app.exit(said, help, refusal) == 0) {
+    print_report(help.str());
+    return kExitNothingFound;
+  }
+  const auto commands = app.get_subcommands();
+  print_error(fmt::format("raycheck: {}\n`raycheck {}--help` shows the options\n",
+                          refusal_text(said, app),
+                          commands.empty() ? "" : commands.front()->get_name() + " "));
+  return kExitBadInput;
 }
 
 }  // namespace
 
+int exit_code(bool was_interrupted, bool found, bool checked) {
+  if (was_interrupted) return kExitOfSignal + caught_signal();
+  if (found) return kExitDiscrepancy;
+  return checked ? kExitNothingFound : kExitNothingChecked;
+}
+
 std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked) {
+  program.formatter(std::make_shared<HelpFormatter>());
   program.description("An exact reference for camera rays and ray-sphere intersections");
   program.set_version_flag("--version", std::string(kVersion));
   program.require_subcommand(1);
@@ -230,12 +366,13 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
     for (const Command& command : commands) {
       if (command.app->parsed()) return outcome_of(command, {argv, static_cast<std::size_t>(argc)});
     }
-    print_error(fmt::format("raycheck: this program lacks the command {0}; run `raycheck {0}`\n",
-                            app.get_subcommands().front()->get_name()));
+    print_error(
+        fmt::format("raycheck: this program does not have the command {0}; run `raycheck {0}`\n",
+                    app.get_subcommands().front()->get_name()));
     return kExitBadInput;
   } catch (const ClosedPipe&) {
     return kExitOfSignal + SIGPIPE;
-  } catch (const scene::Interrupted&) {  // the reader of the report went away
+  } catch (const scene::Interrupted&) {  // the reader of the report is gone
     return exit_code(true, false, false);
   } catch (const std::exception& error) {  // help, or a partial report, was not written
     print_error(fmt::format("raycheck: {}\n", error.what()));

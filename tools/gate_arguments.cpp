@@ -51,7 +51,7 @@ void add_gate(CLI::App& command, GateArguments& arguments, std::vector<std::stri
       ->needs(baseline);
   command
       .add_flag("--strict-baseline", arguments.strict,
-                "also fail if discrepancies of the baseline are mended")
+                "also fail if a discrepancy of the baseline no longer occurs")
       ->needs(baseline);
 }
 
@@ -60,8 +60,9 @@ GateFiles::GateFiles(const GateArguments& arguments)
   if (!arguments.baseline.empty()) {
     const bool is_there = std::filesystem::exists(arguments.baseline);
     if (!is_there && !arguments.updates) {
-      throw std::invalid_argument(fmt::format(
-          "--baseline {}: no such file; --update-baseline creates it", arguments.baseline));
+      throw std::invalid_argument(
+          fmt::format("--baseline {}: there is no such file; --update-baseline creates it",
+                      arguments.baseline));
     }
     if (is_there) {
       try {

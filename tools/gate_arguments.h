@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "scene/text.h"
-#include "tools/arguments.h"
+#include "tools/flags.h"
 #include "tools/gates/gate.h"
 #include "tools/report/output_file.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 
@@ -33,8 +34,7 @@ void print_view(const View<Report> (&views)[N], std::string_view format, const R
   print_view(views, format, report);
   for (const GateFormat& one : gate_formats()) {
     if (one.name != format) continue;
-    one.kind == ViewKind::kCommands ? print_commands(one.write(gate))
-                                    : print_report(one.write(gate));
+    one.is_executed ? print_commands(one.write(gate)) : print_report(one.write(gate));
   }
 }
 

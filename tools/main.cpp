@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside this program when built, below libexec when installed.
+/// Finds a program: beside this one in a build folder, below libexec in an installation.
 fs::path found(const fs::path& folder, const std::string& program) {
   const fs::path beside = folder / program;
   std::error_code error;

@@ -19,10 +19,13 @@ EXIT_STATUS = (
     ("141", "The reader of the report closed the pipe."))
 
 
+def printed(*command):
+    return subprocess.run(command, text=True, check=True, capture_output=True).stdout
+
+
 def help_of(program, *command):
-    """A sentence, and by section pairs of an option with its value and its description."""
-    shown = subprocess.run([program, *command, "--help"], text=True, check=True, capture_output=True)
-    lines = shown.stdout.splitlines()
+    """The sentence of a command; by section, pairs of an option (and value) and its text."""
+    lines = printed(program, *command, "--help").splitlines()
     sections = {"Positionals": [], "Options": []}
     for line, following in zip(lines, lines[1:] + [""]):
         if re.fullmatch(r"\w+:", line):
@@ -43,24 +46,27 @@ def names(rows):
 
 
 def roff(text):
-    """Text without lines that are requests, with hyphens that can be searched for."""
+    """Text in which no line is a request of man(7), and whose hyphens can be searched for."""
     text = text.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")
     return re.sub(r"^\.", r"\\&.", text, flags=re.M)
 
 
 def bold(rows):
     """Rows whose first words are bold."""
+    parts = ((*re.match(r"(\S+)(.*)", head).groups(), text) for head, text in rows)
     return "".join(f".TP\n\\fB{roff(head)}\\fR{roff(value)}\n{roff(text)}\n"
-                   for head, value, text in ((*re.match(r"(\S+)(.*)", head).groups(), text) for head, text in rows))
+                   for head, value, text in parts)
 
 
 def page(name, version, sentence, usage, parts, others):
     """A man page in the macros of man(7)."""
     text = f'.TH {roff(name.upper())} 1 "" "raycheck {version}" "User Commands"\n'
-    text += f".SH NAME\n{roff(name)} \\- {roff(sentence)}\n.SH SYNOPSIS\n\\fBraycheck\\fR {roff(usage)}\n"
+    text += f".SH NAME\n{roff(name)} \\- {roff(sentence)}\n"
+    text += f".SH SYNOPSIS\n\\fBraycheck\\fR {roff(usage)}\n"
     text += "".join(f".SH {title}\n{bold(rows)}" for title, rows in parts if rows)
     text += ".SH EXIT STATUS\n" + "".join(f".TP\n{head}\n{said}\n" for head, said in EXIT_STATUS)
-    return text + ".SH SEE ALSO\n" + ",\n".join(f"\\fB{roff(other)}\\fR(1)" for other in others) + "\n"
+    see_also = ",\n".join(f"\\fB{roff(other)}\\fR(1)" for other in others)
+    return f"{text}.SH SEE ALSO\n{see_also}\n"
 
 
 def bash(own, commands):
@@ -86,7 +92,7 @@ complete -o filenames -F _raycheck raycheck
 
 def main():
     program, folder = sys.argv[1:3]
-    version = subprocess.run([program, "--version"], text=True, check=True, capture_output=True).stdout.strip()
+    version = printed(program, "--version").strip()
     sentence, sections = help_of(program)
     own = sections["Options"]
     files = {}
@@ -94,7 +100,8 @@ def main():
     for name, said in sections["Subcommands"]:
         _, its = help_of(program, name)
         commands.append((name, said, its["Options"]))
-        usage = " ".join([name, "[OPTION ...]"] + [head.split()[0] for head, _ in its["Positionals"]])
+        positionals = [head.split()[0] for head, _ in its["Positionals"]]
+        usage = " ".join([name, "[OPTION ...]", *positionals])
         files[f"man/man1/raycheck-{name}.1"] = page(
             f"raycheck-{name}", version, said, usage,
             [("ARGUMENTS", its["Positionals"]), ("OPTIONS", its["Options"])], ["raycheck"])

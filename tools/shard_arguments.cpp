@@ -11,8 +11,9 @@
 #include <system_error>
 
 #include "scene/invalid_input.h"
-#include "tools/arguments.h"
+#include "tools/commands.h"
 #include "tools/external/sandbox/file_tree.h"
+#include "tools/flags.h"
 #include "tools/report/digest.h"
 #include "tools/report/version.h"
 #include "tools/terminal.h"
@@ -26,11 +27,11 @@ namespace fs = std::filesystem;
 constexpr std::string_view kUnitShape = "units 3";
 
 bool is_of_units(const CLI::Option& option) {
-  const auto is_called = [&](const char* name) { return option.check_name(name); };
+  const auto is_called = [&](std::string_view name) {
+    return option.check_name(std::string(name));
+  };
   return option.count() > 0 && !is_called("--out") && !is_called("--shard") &&
-         !is_called("--merged") &&
-         std::ranges::none_of(kReportOptions,
-                              [&](const NamedOption& one) { return is_called(one.name); });
+         !is_called("--merged") && std::ranges::none_of(kReportOptions, is_called);
 }
 
 /// Adds a file, or all files of a folder, but hidden ones and folders of units.
@@ -48,8 +49,8 @@ void add_files(const fs::path& path, std::map<std::string, std::string>& files) 
   }
   if (!fs::is_regular_file(path, error) || files.contains(path.string())) return;
   if (files.size() == kMostFiles) {
-    throw scene::InvalidInput("out", "",
-                              fmt::format("the given folders hold more than {} files", kMostFiles));
+    throw scene::InvalidInput(
+        "out", "", fmt::format("the given folders contain more than {} files", kMostFiles));
   }
   files[path.string()] = digest({file_bytes(path)});
 }
@@ -59,14 +60,14 @@ CampaignIdentity identity_of(const CLI::App& command, Judged judged) {
       command.get_name(), {}, fmt::format("{}, {}", kVersion, kUnitShape), {}};
   for (const CLI::Option* option : command.get_options()) {
     if (!is_of_units(*option)) continue;
+    const std::string name = option->get_name();
     const bool is_flag = option->get_items_expected_max() == 0;
-    const bool is_known =
-        option->get_positional() || std::ranges::any_of(kUnitOptions, [&](const NamedOption& one) {
-          return one.name == option->get_name() && one.has_value != is_flag;
-        });
-    if (!is_known) throw std::logic_error(option->get_name() + " is missing in kUnitOptions");
+    const bool is_known = has(kUnitOptions, name) && has(kFlags, name) == is_flag;
+    if (!is_known && !option->get_positional()) {
+      throw std::logic_error(name + " is missing in kUnitOptions");
+    }
     for (const std::string& value : option->results()) {
-      if (!option->get_positional()) campaign.arguments.push_back(option->get_name());
+      if (!option->get_positional()) campaign.arguments.push_back(name);
       if (!is_flag) campaign.arguments.push_back(value);
     }
     if (!reads(*option)) continue;
@@ -82,8 +83,9 @@ CampaignIdentity identity_of(const CLI::App& command, Judged judged) {
 
 void add_shards(CLI::App& command, ShardArguments& arguments) {
   command
-      .add_option("--out", arguments.out,
-                  "keep each unit of work in this folder, and do only those missing there")
+      .add_option(
+          "--out", arguments.out,
+          "store each unit of work in this folder, and do only the units that are missing there")
       ->type_name("FOLDER");
   add_shards_inside(command, arguments,
                     "from SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or CI_NODE_INDEX, else all");
@@ -96,8 +98,8 @@ void add_shards_inside(CLI::App& command, ShardArguments& arguments,
   command
       .add_option(
           "--shard", arguments.shard,
-          fmt::format("do the share of worker K of N: K/N, or auto/N to take K from the scheduler; "
-                      "default: {}; `raycheck merge FOLDER...` reports",
+          fmt::format("do only share K of N: K/N, or auto/N to take K from the scheduler (default: "
+                      "{}); then `raycheck merge FOLDER...` prints the report",
                       by_default))
       ->type_name("K/N")
       ->needs(out);

@@ -4,9 +4,13 @@
 // Internal to the commands.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/implementations/implementation.h"
@@ -25,41 +29,32 @@ void add_shards(CLI::App& command, ShardArguments& arguments);
 void add_shards_inside(CLI::App& command, ShardArguments& arguments,
                        const std::string& by_default = "all");
 
-struct NamedOption {
-  const char* name;
-  bool has_value;
-};
 /// Options that units do not depend on: the form of the report, threads, isolation of candidates.
 /// `merge` takes them from its own command line, not from the campaign.
-inline constexpr NamedOption kReportOptions[] = {{"--format", true},
-                                                 {"--report", true},
-                                                 {"--view", true},
-                                                 {"--certificates", true},
-                                                 {"--save", true},
-                                                 {"--top", true},
-                                                 {"--threads", true},
-                                                 {"--jobs", true},
-                                                 {"--corpus", true},
-                                                 {"--sandbox", true},
-                                                 {"--i-know", false},
-                                                 {"--baseline", true},
-                                                 {"--update-baseline", false},
-                                                 {"--strict-baseline", false}};
+inline constexpr std::string_view kReportOptions[] = {
+    "--format",          "--report",         "--view",   "--certificates", "--save",   "--top",
+    "--threads",         "--jobs",           "--corpus", "--sandbox",      "--i-know", "--baseline",
+    "--update-baseline", "--strict-baseline"};
 
 /// Options that units depend on: a shard writes them into its folder, with the positional
 /// arguments, and `merge` takes them from one.
-inline constexpr NamedOption kUnitOptions[] = {
-    {"--filter", true},       {"--cases", true},       {"--seed", true},
-    {"--rays", true},         {"--source", true},      {"--intersect", true},
-    {"--candidate", true},    {"--read", true},        {"--level", true},
-    {"--include", true},      {"--timeout", true},     {"--memory", true},
-    {"--bounds", true},       {"--target", true},      {"--precision", true},
-    {"--image-change", true}, {"--t-threshold", true}, {"--origin", true},
-    {"--dialect", true},      {"--keep-going", true},  {"--max-ulp", true},
-    {"--family", true},       {"--method", true},      {"--severity", true},
-    {"--quantity", true},     {"--by", true},          {"--steps", true},
-    {"--searches", true},     {"--pixels", true},      {"--secret-file", true},
-    {"--strict", false},      {"--all", false}};
+inline constexpr std::string_view kUnitOptions[] = {
+    "--filter",       "--cases",       "--seed",     "--rays",     "--source",
+    "--intersect",    "--candidate",   "--read",     "--level",    "--include",
+    "--timeout",      "--memory",      "--bounds",   "--target",   "--precision",
+    "--image-change", "--t-threshold", "--origin",   "--dialect",  "--keep-going",
+    "--max-ulp",      "--family",      "--method",   "--severity", "--quantity",
+    "--by",           "--steps",       "--searches", "--pixels",   "--secret-file",
+    "--strict",       "--all"};
+
+/// Those of both that have no value.
+inline constexpr std::string_view kFlags[] = {"--i-know", "--update-baseline", "--strict-baseline",
+                                              "--strict", "--all"};
+/// Whether one of these options is `name`.
+template <std::size_t N>
+bool has(const std::string_view (&options)[N], std::string_view name) {
+  return std::ranges::find(options, name) != std::end(options);
+}
 
 using Judged = std::span<const Implementation>;
 /// The units selected by the options, reported on standard error; null: nothing is kept. They

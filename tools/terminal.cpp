@@ -28,7 +28,7 @@ namespace {
 std::atomic<int> first_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "set from a signal handler");
 
-bool is_out = false;  ///< Something was written to standard output.
+bool is_out = false;  ///< Whether something was written to standard output.
 
 extern "C" void on_signal(int signal) {
   int none = 0;
@@ -36,12 +36,12 @@ extern "C" void on_signal(int signal) {
   if (signal == SIGINT) std::signal(SIGINT, SIG_DFL);
 }
 
-/// How long to wait for the other end of standard output before checking for interrupts, and how
-/// many such waits it gets after an interrupt.
+/// The time to wait for the reader of standard output before checking for interrupts, and the
+/// number of such waits after an interrupt.
 constexpr int kWaitMilliseconds = 100;
 constexpr int kMostWaits = 10;
 
-/// Whether standard output is ready within a wait.
+/// Waits once; returns whether standard output is ready.
 bool is_ready() {
   pollfd stream{STDOUT_FILENO, POLLOUT, 0};
   const int count = ::poll(&stream, 1, kWaitMilliseconds);
@@ -68,7 +68,7 @@ void catch_signals() {
     sigaction(signal, &action, nullptr);
   }
   std::signal(SIGPIPE, SIG_IGN);
-  // A file that may not grow is then reported as one that cannot be written.
+  // If a file may not grow, it is then reported as a file that cannot be written.
   std::signal(SIGXFSZ, SIG_IGN);
 }
 bool interrupted() { return first_signal != 0; }
@@ -92,7 +92,7 @@ void write_out(std::string_view text) {
       if (waits > kMostWaits) throw scene::Interrupted{};
       continue;
     }
-    // A pipe that is ready takes this many bytes without blocking.
+    // If a pipe is ready, this many bytes can be written without blocking.
     const ssize_t count =
         write(STDOUT_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
     if (count >= 0) {
@@ -107,7 +107,7 @@ void write_out(std::string_view text) {
   }
 }
 
-/// The colours of views (red() of tools/report/words.h): start and end.
+/// The control sequences that begin and end a colour (red() in tools/report/words.h).
 constexpr std::array<std::string_view, 2> kColours = {"\x1b[31m", "\x1b[0m"};
 
 /// Like scene::visible, but keeps colours.
@@ -130,8 +130,8 @@ std::string visible_but_colours(std::string_view text) {
   return shown;
 }
 
-/// In the log of a GitHub workflow "::" at the start of a line, and "##[" anywhere, are commands
-/// (docs/ci.md): their first character is escaped there.
+/// In the log of a GitHub workflow, "::" at the start of a line and "##[" anywhere are commands
+/// (docs/ci.md), so their first character is escaped.
 std::string as_log_shows(const std::string& text) {
   if (std::getenv("GITHUB_ACTIONS") == nullptr) return text;
   std::string shown;
@@ -146,8 +146,8 @@ std::string as_log_shows(const std::string& text) {
   return shown;
 }
 
-/// One line on standard error with the progress of long work, after the first second. If
-/// standard error is not a terminal, it prints a line for each finished part instead.
+/// Shows the progress of long work, after the first second, in one line on standard error. If
+/// standard error is not a terminal, prints a line for each finished part instead.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string_view what)

@@ -13,14 +13,14 @@ import sys
 from fractions import Fraction
 from math import isqrt
 
-U = Fraction(1, 2**53)  # the unit of relative errors, where floats have another:
-FORMATS = {"double": (53, -1074), "single": (24, -149)}  # digits, and the exponent of the least
+U = Fraction(1, 2**53)  # the unit of relative errors of doubles; floats have another
+FORMATS = {"double": (53, -1074), "single": (24, -149)}  # digits, and the least exponent
 NARROW = Fraction(1, 2**60)  # the largest relative width of brackets
-TOLERANCE = Fraction(1, 1000)  # of a stated error: it is an upper bound, and printed to 3 digits
-ROOT_BITS = (320, 5000)  # of square roots that decide on changed inputs: if not the first, the last
+TOLERANCE = Fraction(1, 1000)  # on a stated error, which is an upper bound, printed to 3 digits
+ROOT_BITS = (320, 5000)  # of square roots on changed inputs: the second if the first do not decide
 MOST_SECTORS = 256  # of a plane, examined one by one
 INFINITE = Fraction(2) ** 2046  # the square of an error that counts as infinite
-SOME_SPHERE = "a sphere"  # the answer of a picture that does not show which one
+SOME_SPHERE = "a sphere"  # the answer of a picture that does not show which sphere it is
 CONVENTIONS = {
     "rows": ("bottom-first", "top-first"),
     "samples": ("edges", "centres"),
@@ -47,14 +47,14 @@ class Malformed(Exception):
     """A line is not a certificate."""
 
 
-# The required form of a line, checked before any computation: each shape is a function of a value
-# and its location that raises Malformed. Keys that no shape names are ignored.
+# The required form of a line, checked before any computation. Each shape is a function of a value
+# and its location that may raise Malformed. Keys that no shape names are ignored.
 
 LONGEST = 4000  # digits: products of four doubles have fewer
 EXPONENTS = range(-1074, 1024)  # of doubles
-BRACKET_EXPONENTS = range(-(2**14), 2**14)  # of products of four doubles, and of roots, to more bits
+BRACKET_EXPONENTS = range(-(2**14), 2**14)  # products of four doubles, and roots, to more bits
 PLAIN_DIGITS = 19  # of integers that are not strings: 64 bits, as for pixels
-WORDS = ("nan", "inf", "-inf", SOME_SPHERE)  # instead of a number
+WORDS = ("nan", "inf", "-inf", SOME_SPHERE)  # allowed instead of a number
 
 
 def leaf(holds, what):
@@ -157,7 +157,7 @@ PROOF = fields(
 )
 WITNESS = every(fields({"input": text, "share": leaf(is_share, "a finite hexadecimal float")}))
 EXCUSE = fields({"kind": text}, {"amount": or_null(error), "witness": or_null(WITNESS)})
-QUANTITIES = {  # and of how many numbers an answer is
+QUANTITIES = {  # and the number of numbers in an answer
     **dict.fromkeys(("class", "nearest sphere"), (0, 1)),
     **dict.fromkeys(("root", "parameter", "backward error"), (1,)),
     **dict.fromkeys(("frame", "pixel point", "ray origin", "direction", "unit defect"), (3,)),
@@ -262,7 +262,7 @@ def equation(ray, centre, radius):
 
 
 def root_met(b, c, discriminant, conventions):
-    """Which root the ray meets: the "smaller", the "larger", or None for a miss."""
+    """The root that the ray meets: "smaller", "larger", or None for a miss."""
     larger = "larger" if conventions["root"] == "nearest" else None
     if discriminant < 0 or (not discriminant > 0 and conventions["tangent"] == "miss"):
         return None
@@ -287,7 +287,7 @@ def is_root_between(low, high, root, a, b, c):
 
 
 class Interval:
-    """Every number from low to high. Arithmetic holds every result; comparisons must be certain."""
+    """All numbers from low to high. Results contain all values; comparisons must be certain."""
 
     def __init__(self, low, high):
         self.low, self.high = low, high
@@ -354,7 +354,7 @@ def stated_ends(bracket):
 
 
 def bracket(stated):
-    """A bracket narrow enough to stand for one number: an Interval, or that number."""
+    """A bracket that is narrow enough for one number: an Interval, or that number."""
     low, high = stated_ends(stated)
     require(low <= high, "the low end of a bracket is above its high end")
     require(high - low <= NARROW * max(abs(low), abs(high)), "a bracket is too wide")
@@ -421,7 +421,7 @@ def stated_roots(proof):
 
 
 def ray_of(inputs, conventions, root):
-    """`root` gives the square roots of a camera, by what they are called and their squares."""
+    """`root` returns the square roots of a camera, given their names and squares."""
     if "ray" in inputs:
         return given_ray(inputs["ray"])
     if "pixel" in inputs:
@@ -433,7 +433,7 @@ def ray_of(inputs, conventions, root):
 
 
 class Meeting:
-    """How a ray meets a sphere, recomputed and compared with the statements."""
+    """The meeting of a ray and a sphere, recomputed and compared with the statements."""
 
     def __init__(self, ray, sphere, stated, conventions):
         self.ray, self.radius = ray, number(sphere["radius"])
@@ -501,7 +501,7 @@ def require_exact(stated, computed, precision):
 
 
 def require_error(stated, squares, unit):
-    """The stated error, in that unit, is to the tolerance the square root of a computed square."""
+    """Checks a stated error, in this unit: its square is a computed one, up to the tolerance."""
     for low, high in map(ends, squares):
         if stated == "infinity":
             if low >= INFINITE:
@@ -515,7 +515,7 @@ def require_error(stated, squares, unit):
 
 
 def relative_sq(gap_sq, size_sq):
-    """The square of a relative error in units of u; of a true value 0, all or nothing."""
+    """The square of a relative error in units of u; if the true value is 0, it is 0 or INFINITE."""
     if ends(size_sq)[1] == 0:
         return 0 if ends(gap_sq)[1] == 0 else INFINITE
     return gap_sq / size_sq / U**2
@@ -540,7 +540,7 @@ def angle_sq(got, g):
 
 
 def first_order_reach(s, ray, centre, radius):
-    """What a relative change of all inputs of a given ray adds to |T - s g|^2 - r^2, at most."""
+    """The most that a relative change of all inputs of a given ray adds to |T - s g|^2 - r^2."""
     way = times(s, ray.g)
     off = minus(plus(ray.start, way), centre)
     sizes = [sum(map(abs, parts)) for parts in zip(ray.start, centre, way)]
@@ -565,7 +565,7 @@ def orthonormality_sq(axes, norms):
 
 
 def measured(certificate, ray, meetings, got):
-    """The exact value, and a function that gives the square of the error of what was got."""
+    """The exact value, and a function that returns the square of the answer's error."""
     quantity, proof = certificate["quantity"], certificate["proof"]
     if quantity == "orthonormality":
         return [], lambda: [orthonormality_sq([got[0:3], got[3:6], got[6:9]], proof["norms"])]
@@ -613,7 +613,7 @@ def confirm_met(certificate, met, got):
 
 def confirm_nearest(certificate, meetings):
     exact = [int(x) for x in numbers(certificate["exact"])]
-    # A picture may show a sphere of unknown number: that is right if the ray hits any.
+    # If a picture shows a sphere of unknown number, that is right if the ray hits any sphere.
     is_untold = certificate["got"] == [SOME_SPHERE]
     got = [] if is_untold else [int(x) for x in numbers(certificate["got"])]
     require(not (exact and is_untold), "the ray hits a sphere, as was answered")
@@ -634,7 +634,7 @@ def confirm_nearest(certificate, meetings):
             require(low > high if k in got else low >= high, "the ray hits another sphere first")
 
 
-# A wrong decision is excused by inputs close by for which it is right; without any it is a defect.
+# A wrong decision is excused if it is right for nearby inputs; if there are none, it is a defect.
 # Every input x may become x (1 + share), |share| <= amount.
 
 
@@ -655,7 +655,7 @@ def named_inputs(inputs, of_many_spheres):
 
 
 def change_inputs(certificate, change):
-    """The inputs, each replaced by change(its name, its number)."""
+    """The inputs, with each number replaced by change(its name, its number)."""
     inputs = json.loads(json.dumps(certificate["inputs"]))
     is_choice = certificate["quantity"] == "nearest sphere"
     for name, (holder, key) in named_inputs(inputs, is_choice).items():
@@ -664,7 +664,7 @@ def change_inputs(certificate, change):
 
 
 def root_of(x, bits):
-    """The square root of a number, of all of an Interval, or of a Dual."""
+    """The square root of a number, of an Interval, or of a Dual."""
     if isinstance(x, Dual):
         root = root_of(x.value, bits)
         return Dual(root, {name: slope / (2 * root) for name, slope in x.slopes.items()})
@@ -680,7 +680,7 @@ def root_of(x, bits):
 
 
 def outward(x):
-    """An Interval with ends of fewer digits; a number as it is."""
+    """An Interval with ends of fewer digits; a number stays as it is."""
     if not isinstance(x, Interval):
         return x
     rounded_ends = []
@@ -693,7 +693,7 @@ def outward(x):
 
 
 class Dual:
-    """A number and its derivatives by what changes inputs, by the names of these."""
+    """A number and its derivatives by the changes of inputs, by the names of the inputs."""
 
     def __init__(self, value, slopes):
         self.value, self.slopes = value, slopes
@@ -733,13 +733,13 @@ def value_of(x):
 
 
 def least(x):
-    """|x| at least."""
+    """A lower bound on |x|."""
     low, high = ends(x)
     return max(low, -high, Fraction(0))
 
 
 def most(x):
-    """|x| at most."""
+    """An upper bound on |x|."""
     return max(map(abs, ends(x)))
 
 
@@ -765,7 +765,7 @@ def reach_of(s, certificate, ray, amount, bits, bound):
 
 
 def is_answer_right(certificate, ray, changed, changed_ray, bits):
-    """Whether a changed ray and sphere meet, or miss, as was answered."""
+    """Whether a changed ray and sphere meet, or miss, as in the answer."""
     conventions, amount = certificate["conventions"], Fraction(certificate["excuse"]["amount"])
     (sphere,) = changed["spheres"]
     a, b, c, discriminant = equation(changed_ray, sphere["centre"], sphere["radius"])
@@ -790,7 +790,7 @@ def is_answer_right(certificate, ray, changed, changed_ray, bits):
 
 
 def is_choice_right(certificate, changed, ray, bits):
-    """Whether changed rays and spheres have the answered sphere first; ties count."""
+    """Whether a changed ray meets the answered sphere first; ties count."""
     conventions, got = certificate["conventions"], certificate["got"]
     met = {}
     for k, sphere in enumerate(changed["spheres"]):
@@ -811,7 +811,7 @@ def is_choice_right(certificate, changed, ray, bits):
 
 
 def confirm_witness(certificate, ray):
-    """The answer is right for the inputs of its witness."""
+    """Checks that the answer is right for the inputs of its witness."""
     excuse, shares = certificate["excuse"], {}
     amount = Fraction(excuse["amount"])
     require(amount == Fraction(certificate["neighbourhood"]), "the neighbourhood is not the amount")
@@ -859,26 +859,26 @@ def linear_form(T, g, r, s):
 
 
 def at_answer_form(T, g, r, s):
-    """|T - s g|^2 - r^2: 0 where s is a root."""
+    """|T - s g|^2 - r^2, which is 0 if s is a root."""
     off = minus(T, times(s, g))
     slopes = [*times(2, off), *times(-2 * s, off), -2 * r, -2 * dot(off, g)]
     return norm_sq(off) - r**2, slopes
 
 
 def before_middle_form(T, g, r, s):
-    """b - a s: not negative where s is the smaller root."""
+    """b - a s, which is not negative if s is the smaller root."""
     a = norm_sq(g)
     return dot(T, g) - s * a, [*g, *minus(T, times(2 * s, g)), 0, -a]
 
 
 def other_behind_form(T, g, r, s):
-    """a s - 2 b: not negative where the other root is not positive."""
+    """a s - 2 b, which is not negative if the other root is not positive."""
     a = norm_sq(g)
     return s * a - 2 * dot(T, g), [*times(-2, g), *times(2, minus(times(s, g), T)), 0, a]
 
 
 class Variation:
-    """value + sum of t_k reach_k, |t_k| <= 1, holds what a function is anywhere in a box."""
+    """value + sum of t_k reach_k, |t_k| <= 1, contains a function's values all over a box."""
 
     def __init__(self, value, reach):
         self.value, self.reach = value, reach
@@ -919,7 +919,7 @@ class Nearby:
 
 
 def around(x, half, name):
-    """All from x - half to x + half."""
+    """All numbers from x - half to x + half."""
     return Dual(Interval(x - half, x + half), {name: half} if half else {})
 
 
@@ -981,18 +981,18 @@ def room_along(vector, most_sq):
 
 
 def vector_variations(box, form):
-    """Of three functions, given as one that takes an axis too."""
+    """The variations of three functions, given as one function that also takes an axis."""
     return [box.variation(lambda *arguments, k=k: form(k, *arguments)) for k in range(3)]
 
 
 def moment_form(axis, T, g, r, s):
-    """T x g: as long as r |g| where the line touches the sphere."""
+    """T x g, which is as long as r |g| if the line touches the sphere."""
     u = [Fraction(k == axis) for k in range(3)]
     return cross(T, g)[axis], [*cross(g, u), *cross(u, T), 0, 0]
 
 
 def off_form(axis, T, g, r, s):
-    """T - s g: as long as r where s is a root."""
+    """T - s g, which is as long as r if s is a root."""
     u = [Fraction(k == axis) for k in range(3)]
     return (T[axis] - s * g[axis]), [*u, *[-1 * s * x for x in u], 0, -1 * g[axis]]
 
@@ -1023,7 +1023,7 @@ def is_shorter(vector, across, least_sq):
         return False
     sectors = [(quarters, Fraction(0), Fraction(1)) for quarters in range(4)]
     for quarters, low, high in sectors:
-        # p = x u + y v, x and y >= 0, is no longer than x + y = p.(u + v) / (1 + u.v).
+        # p = x u + y v, x and y >= 0, has length at most x + y = p.(u + v) / (1 + u.v).
         u, v = unit_vector(quarters, low), unit_vector(quarters, high)
         x, y = plus(u, v)
         longest = first.shifted(x, 0).plus(y, second).high / (1 + dot(u, v))
@@ -1036,12 +1036,13 @@ def is_shorter(vector, across, least_sq):
 
 
 def is_met_everywhere(box, conventions):
-    """No ray and sphere of the box miss each other."""
+    """Checks that no ray and sphere of the box miss each other."""
     discriminant, b = box.variation(discriminant_form), box.variation(linear_form)
     if discriminant.low < 0 or (discriminant.low == 0 and conventions["tangent"] == "miss"):
         _, g, r, _ = box.whole
         least_sq = r.low**2 * norm_sq(g).low
-        if r.low <= 0 or not is_shorter(vector_variations(box, moment_form), box.middle[1], least_sq):
+        moment = vector_variations(box, moment_form)
+        if r.low <= 0 or not is_shorter(moment, box.middle[1], least_sq):
             return False
     c = box.variation(constant_form)
     if conventions["root"] == "smaller":
@@ -1050,7 +1051,7 @@ def is_met_everywhere(box, conventions):
 
 
 def is_hit_nowhere(s, box_of, slack, reach, conventions):
-    """No ray and sphere of the box meet at s, or as near to it as counts."""
+    """Checks that no ray and sphere of the box meet at s, or so near to s that it counts."""
     box = box_of(max(s - slack, Fraction(0)), s + slack)
     _, g, r, _ = box.whole
     root, ways = box.variation(at_answer_form), [before_middle_form]
@@ -1080,7 +1081,7 @@ def is_no_double_root(box, reach, r, a_most):
 
 
 def is_right_nowhere(certificate, ray):
-    """Whether the answer is proved to be wrong for all inputs of the neighbourhood."""
+    """Whether the answer is proved wrong for all inputs of the neighbourhood."""
     amount, conventions = Fraction(certificate["neighbourhood"]), certificate["conventions"]
     nearby = Nearby(certificate)
     if not certificate["got"]:
@@ -1218,7 +1219,7 @@ if __name__ == "__main__":
     try:
         if sys.stdout is None:
             raise OSError("standard output is closed")
-        sys.stdout.reconfigure(errors="backslashreplace")  # for characters that its encoding lacks
+        sys.stdout.reconfigure(errors="backslashreplace")  # for characters that the encoding lacks
         sys.exit(main(sys.argv[1:]))
     except (Malformed, OSError) as problem:
         print(f"verify_certificates.py: {visible(str(problem))}", file=sys.stderr)

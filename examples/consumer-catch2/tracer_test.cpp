@@ -1,4 +1,4 @@
-#define CATCH_CONFIG_MAIN  // of Catch2 2
+#define CATCH_CONFIG_MAIN  // for Catch2 2
 #include "tracer.h"
 
 #include <raycheck/catch2.h>

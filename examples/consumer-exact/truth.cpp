@@ -1,4 +1,4 @@
-// The exact answers for the lecture's ray and sphere, and for hard ones.
+// The exact answers for the lecture's ray and sphere, and for hard rays and spheres.
 
 #include <raycheck/cases.h>
 #include <raycheck/exact.h>
@@ -44,7 +44,7 @@ int main() {
   const auto nearest = known.ray({8, 8}).nearest({{{8, 8, 54}, 12}, {{8, 8, 60}, 3}});
   if (nearest) std::printf("sphere %zu\n", nearest->index);
 
-  // Near-tangents, off by one ulp or less: a hash of all decisions and rounded values.
+  // A hash of all decisions and rounded values for near-tangents of every severity.
   std::uint64_t hash = 0;
   const auto add = [&hash](double value) {
     std::uint64_t bits = 0;

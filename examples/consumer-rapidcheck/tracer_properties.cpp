@@ -1,4 +1,4 @@
-// Your own properties, tested on hard rays and spheres.
+// Properties of your code, tested with hard rays and spheres.
 
 #include <raycheck/exact.h>
 #include <raycheck/rapidcheck.h>

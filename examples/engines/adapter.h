@@ -36,7 +36,7 @@ struct Quadratic {
   }
 };
 
-/// The one of two roots from a solver that counts; NaNs never count.
+/// The root that counts, of two roots from a solver. NaNs never count.
 inline std::optional<raycheck::Hit> chosen(const raycheck::Ray& ray, double smaller, double larger,
                                            const raycheck::Conventions& asked) {
   if (smaller >= 0) return hit_at(ray, smaller);
@@ -44,9 +44,9 @@ inline std::optional<raycheck::Hit> chosen(const raycheck::Ray& ray, double smal
   return std::nullopt;
 }
 
-// Adapters of templates compute in Real: double, or float if a file defines SINGLE and includes the
-// adapter. For floats, lengths are limited so that their squares are in range; doubles have only
-// the limits that a library documents.
+// Adapters of templates compute in Real. It is float if a file defines SINGLE before it includes
+// the adapter, otherwise double. For floats, lengths are limited so that their squares are in
+// range; for doubles, only as a library documents.
 #ifdef SINGLE
 using Real = float;
 constexpr auto kPrecision = raycheck::Precision::single;
@@ -57,14 +57,14 @@ constexpr auto kPrecision = raycheck::Precision::double_;
 constexpr double kSmallest = 0, kLargest = std::numeric_limits<double>::max();
 #endif
 
-/// Lines, not rays: the smaller root counts wherever it is.
+/// For libraries that intersect lines, not rays: every root counts.
 constexpr raycheck::ValidRoots kLine = {.t_min = -std::numeric_limits<double>::infinity()};
 
-/// If a library takes two points of a line, the second one is this many directions from the first:
-/// so far that its rounding does not turn the line.
+/// If a library takes two points of a line, the second is this number of directions from the first,
+/// far enough for its rounding not to turn the line.
 constexpr double kFar = kPrecision == raycheck::Precision::single ? 0x1p30 : 0x1p250;
 
-/// If a library takes the two ends of a segment, the second one is this many directions away.
+/// If a library takes the two ends of a segment, the second is this number of directions away.
 constexpr double kEnd = 1024;
 constexpr raycheck::ValidRoots kSegment = {.t_max = kEnd};
 

@@ -1,7 +1,7 @@
-// Armadillo's roots() of the textbook's rounded coefficients: eigenvalues of a companion matrix.
+// Armadillo's roots() for the textbook's rounded coefficients: eigenvalues of a companion matrix.
 // Debian: libarmadillo-dev; -larmadillo.
-// Source: arma.sourceforge.net/docs.html#roots: complex roots, in no promised order; those of
-// imaginary part 0 are real.
+// Source: arma.sourceforge.net/docs.html#roots. Returns complex roots, in no promised order; roots
+// with the imaginary part 0 are real.
 
 #include <algorithm>
 #include <armadillo>

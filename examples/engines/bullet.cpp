@@ -1,9 +1,9 @@
 // Bullet's btCollisionWorld::rayTestSingle on a btSphereShape (in floats; bullet-double.cpp: in
 // doubles, by -DBT_USE_DOUBLE_PRECISION): the closest hit, as a fraction of a segment. Debian:
 // libbullet-dev; -lBulletCollision -lLinearMath. Source:
-// BulletCollision/CollisionDispatch/btCollisionWorld.h. Silent on segments that start inside (they
-// hit nothing, which is declared), on tangents, and on its error; its manual calls ray tests
-// against convex shapes iterative.
+// BulletCollision/CollisionDispatch/btCollisionWorld.h. Silent on segments that start inside (the
+// code returns no hit for them, and the adapter declares this), on tangents, and on its error; its
+// manual calls ray tests against convex shapes iterative.
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>

@@ -1,5 +1,5 @@
 // CGAL's do_intersect(Ray_3, Sphere_3) of Exact_predicates_exact_constructions_kernel: whether the
-// ray meets the sphere, exactly; a tangent does. Debian: libcgal-dev; -lgmp -lmpfr.
+// ray intersects the sphere, exactly; a tangent counts. Debian: libcgal-dev; -lgmp -lmpfr.
 // Source: the manual, "2D and 3D Linear Geometry Kernel", do_intersect(). Squared radii are exact
 // numbers of this kernel.
 

@@ -1,7 +1,7 @@
 // CGAL's do_intersect(Ray_3, Sphere_3) of Simple_cartesian<double>: whether the ray intersects the
-// sphere, as a tangent does. Debian: libcgal-dev. Source: the manual, "2D and 3D Linear Geometry
-// Kernel", do_intersect(); this kernel's predicates are rounded, and its spheres have squared
-// radii: the adapter's r * r is rounded.
+// sphere; a tangent counts. Debian: libcgal-dev. Source: the manual, "2D and 3D Linear Geometry
+// Kernel", do_intersect(). This kernel's predicates are rounded. Its spheres have squared radii;
+// the adapter's r * r is rounded.
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -1,7 +1,7 @@
 // CGAL's intersection(Line_3, Sphere_3) of Exact_spherical_kernel_3: both points, exact, in
 // lexicographic order. Debian: libcgal-dev; -lgmp -lmpfr. Source: the manual, "3D Spherical
-// Geometry Kernel", intersection(). A tangent is one point of multiplicity 2. No error bound is
-// given for to_double(), which the caller applies.
+// Geometry Kernel", intersection(). A tangent is one point of multiplicity 2. The adapter calls
+// to_double(), for which no error bound is given.
 
 #include <CGAL/Exact_spherical_kernel_3.h>
 
@@ -24,7 +24,7 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   if (both.empty()) return std::nullopt;
   const bool forward = d.x > 0 || (d.x == 0 && (d.y > 0 || (d.y == 0 && d.z > 0)));
   using Counted = std::pair<Kernel::Circular_arc_point_3, unsigned>;
-  using boost::get, std::get;  // CGAL 5 has variants of Boost's, CGAL 6 of the standard library's
+  using boost::get, std::get;  // CGAL 5 has Boost's variants, CGAL 6 those of the standard library
   const auto point = get<Counted>(forward ? both.front() : both.back()).first;
   return Hit{.point = {CGAL::to_double(point.x()), CGAL::to_double(point.y()),
                        CGAL::to_double(point.z())}};

@@ -1,5 +1,5 @@
 // Coin's SbSphere::intersect(SbLine, enter, exit), in floats: the points where the line enters and
-// leaves, equal where it grazes. Debian: libcoin-dev; -lCoin.
+// leaves the sphere; for a tangent they are equal. Debian: libcoin-dev; -lCoin.
 // Source: Inventor/SbSphere.h, and its manual: a line is directed and infinite; its direction is
 // made unit by SbLine.
 

@@ -1,7 +1,7 @@
-// Eigen's PolynomialSolver of the textbook's rounded coefficients: eigenvalues of a companion
+// Eigen's PolynomialSolver for the textbook's rounded coefficients: eigenvalues of a companion
 // matrix. Debian: libeigen3-dev.
-// Source: unsupported/Eigen/Polynomials, smallestRealRoot(): roots whose imaginary part is at most
-// 1e-12 are real, so that lengths stay far above it.
+// Source: unsupported/Eigen/Polynomials, smallestRealRoot(). Roots whose imaginary part is at most
+// 1e-12 count as real; the adapter's lengths are far above this.
 
 #include <unsupported/Eigen/Polynomials>
 

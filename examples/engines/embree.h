@@ -17,7 +17,7 @@ inline RTCDevice device() {
   return made;
 }
 
-/// Robust mode: its bounding boxes lose no hit.
+/// In robust mode, bounding boxes lose no hit.
 inline RTCScene scene_of(const raycheck::Sphere& sphere) {
   const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* const vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -35,7 +35,7 @@ inline RTCScene scene_of(const raycheck::Sphere& sphere) {
   return scene;
 }
 
-/// The scene of the last sphere, so that it is built once for successive calls.
+/// The scene of the last sphere. Successive calls with the same sphere use the same scene.
 inline RTCScene kept_scene_of(const raycheck::Sphere& sphere) {
   static raycheck::Sphere last;
   static RTCScene scene = nullptr;

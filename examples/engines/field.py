@@ -2,9 +2,10 @@
 
     field.py RAYCHECK BUILD [--write DOCS] [--cases N] [NAME ...]
 
-prints a table, and with --write makes DOCS/field.md and DOCS/field/NAME.md from the same run: the laws that each engine
-breaks, up to which severity, with the smallest case, its exact answer, and a reproduction without raycheck, which is run.
-Engines whose package is missing are listed and skipped. BUILD contains examples/engines (libraries) and field/npm (node).
+prints a table. With --write it makes DOCS/field.md and DOCS/field/NAME.md from the same run: the kinds of answers that are
+wrong for each engine, the severity up to which they are right, and the smallest cases, each with its exact answer and a
+reproduction without raycheck, which is run. Engines whose package is missing are listed and skipped. BUILD contains
+examples/engines (libraries) and field/npm (node).
 """
 import argparse
 import concurrent.futures
@@ -21,7 +22,8 @@ REPRODUCTION_SECONDS = 1800  # a backstop: a reproduction takes seconds, on a bu
 HERE = pathlib.Path(__file__).parent
 LEVELS = ("ordinary", "demanding", "extreme")
 OWN = ("quadratic", "cross", "robust")
-LAWS = {  # the kind of answer that a column shows, by law
+LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "glsl": "GLSL", "opencl": "OpenCL"}
+LAWS = {  # by law: the kind of answer that a column shows
     "class": "class", "growing-radius": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",
 }
@@ -34,7 +36,7 @@ FRONTIERS = {  # frontier columns: by source, the title and the format of a seve
 
 
 def words_of(engine, build):
-    """The arguments after --candidate; empty if it is not installed."""
+    """The arguments after --candidate; empty if the engine is not installed."""
     if not version_of(engine, build):
         return []
     if "command" not in engine:
@@ -92,8 +94,8 @@ def broken_at(campaigns, level):
 
 
 def frontier(campaigns, source):
-    """The largest severity up to which class, root, s and Q hold at all severities tried: inf if none breaks, -1 if the
-    first does; None: not judged."""
+    """The largest severity up to which class, root, s and Q are right at every severity tried: inf if they are at all, -1 if
+    not at the first; None: not judged."""
     broken = math.inf
     for campaign in campaigns:
         if LAWS.get(campaign["law"]) not in ANSWERS:
@@ -128,7 +130,7 @@ def error_of(campaigns, name):
 
 
 def scene_numbers(scene):
-    """o, d, c and r of a scene of one ray and one sphere; None for another."""
+    """The numbers of a scene of one ray and one sphere; None for other scenes."""
     parsed = tomllib.loads(scene)
     if len(parsed.get("ray", [])) != 1 or len(parsed.get("sphere", [])) != 1:
         return None
@@ -139,8 +141,8 @@ def scene_numbers(scene):
 
 
 def reproduction(engine, numbers, build, may_fail):
-    """A program that shows a case without raycheck, and its output, or its error if the engine fails; None without a
-    template."""
+    """The kind, the text and the output of a program that shows a case without raycheck; the output is its error if the
+    engine fails. None if the engine has no template."""
     templates = sorted((HERE / "reproductions").glob(engine.get("of", engine["name"]) + ".*"))
     if not templates:
         return None
@@ -148,7 +150,7 @@ def reproduction(engine, numbers, build, may_fail):
     for name, value in numbers.items():
         text = text.replace("{" + name + "}", repr(value))
     kind = templates[0].suffix
-    # Beside node_modules, if it exists: shaders of its packages are read from there, too.
+    # Beside node_modules, if it exists, since reproductions also read the shaders of its packages.
     npm = (build / "field/npm").resolve()
     folder = pathlib.Path(tempfile.mkdtemp(dir=npm if npm.exists() else None))
     try:
@@ -168,8 +170,8 @@ def reproduction(engine, numbers, build, may_fail):
 
 
 def right_as_printed(case, numbers, tolerance):
-    """The right output of a reproduction, in the form of its output (a miss, a hit, s or a distance, or a point); empty if
-    unknown. Raises RuntimeError if the reproduction prints something else than the candidate answered."""
+    """The right output of a reproduction, in the form in which it prints (a miss, a hit, s or a distance, or a point); empty
+    if unknown. Raises RuntimeError if the reproduction does not print what the candidate answered."""
     prints, first = case["reproduction"][2], case["first"]
     words, got = prints.split(), [float(decimal(x)) for x in first["got"]]
     exact = [float(decimal(x)) for x in first["exact"]]
@@ -223,7 +225,7 @@ class Page:
         self.mistake = mistake_of(self.ordinary, refuted) or mistake_of(self.extreme, refuted)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")
         self.cases = self.smallest(raycheck, build)
-        self.class_alone = any("hit or miss, and no more" in (one["reason_left_out"] or "") for one in self.ordinary)
+        self.class_alone = any("only hit or miss" in (one["reason_left_out"] or "") for one in self.ordinary)
         self.ratio = None
         self.title = self.name  # of its page
         self.others = []  # pages of its other readings, none milder
@@ -283,19 +285,32 @@ class Page:
         lost = "in its rounded coefficients " if self.engine.get("solver") and self.mistake else ""
         return "; ".join(filter(None, [right, lost + self.mistake])) or "-"
 
+    def origin(self):
+        """Where the function comes from, and its contract."""
+        engine = self.engine
+        language = LANGUAGES.get(engine["language"], engine["language"])
+        if self.name in OWN:
+            return f"A method of raycheck, in {language}."
+        where = "A common form of this function, written for this comparison."
+        if "package" in engine:
+            where = f"Package: {engine['package']} {self.version}."
+        source = f" Source: {engine['source']}." if "package" in engine else ""
+        return f"{where} Language: {language}. Contract: {engine['contract']}.{source}"
+
     def text(self):
         engine = self.engine
         lines = [f"# {engine['library']}: `{engine['function']}`", "",
-                 f"{engine.get('package', 'raycheck')} {self.version}, {engine['language']}. {engine['contract']} "
-                 f"({engine['source']})" + (f" Judged: {self.lengths}." if self.lengths else ""), ""]
+                 self.origin() + (f" Judged on {self.lengths}." if self.lengths else ""), "",
+                 "The wrong answers, by level; each line has only the cases of that level (scaling and axes have no section below):", ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
+        lines += ["", "The hardest severity up to which class, root, s and Q are right:", ""]
         lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in FRONTIERS.items()]
         if self.mistake:
-            lines += ["", f"Most wrong answers are explained by this: {self.mistake}."]
+            lines += ["", f"The mistake that explains most wrong answers: {self.mistake}."]
         if self.others:
-            lines += ["", f"Its documentation does not say {engine['silent']}. Judged here: {engine['reading']}."]
-            lines += [f"The other reading, that {other.engine['reading']}, is not milder: ordinary {other.cell('ordinary')}, "
-                      f"demanding {other.cell('demanding')}, extreme {other.cell('extreme')}." for other in self.others]
+            lines += ["", f"Its documentation does not say {engine['silent']}. This page assumes that {engine['reading']}."]
+            lines += [f"If {other.engine['reading']}, the verdict is not milder: ordinary: {other.cell('ordinary')}; "
+                      f"demanding: {other.cell('demanding')}; extreme: {other.cell('extreme')}." for other in self.others]
         if "note" in engine:
             lines += ["", f"Note: {engine['note']}."]
         if not any(self.breaks.values()):
@@ -305,10 +320,16 @@ class Page:
                       "```toml", case["scene"], "```", "", answer_text(case, self.class_alone)]
             if case.get("reproduction"):
                 kind, program, prints = case["reproduction"]
-                lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", "It prints:", "", "```text", prints, "```"]
+                lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", printed_text(prints), "", "```text", prints, "```"]
                 if case["right"]:
                     lines += ["", f"The right result is: {case['right']}."]
         return "\n".join(lines) + "\n"
+
+
+def printed_text(prints):
+    """The line above the output of a reproduction."""
+    is_number = len(prints.split()) == 1 and prints not in ("miss", "hit")
+    return "It prints s, or a distance (s times the length of the direction):" if is_number else "It prints:"
 
 
 def answer_text(case, class_alone):
@@ -321,11 +342,11 @@ def answer_text(case, class_alone):
         return f"It fails: {first['what']}."
     if is_residual(first):
         off = {"sphere residual": "the sphere", "ray residual": "the ray"}[first["quantity"]]
-        return f"It answers {of}{got}, which is off {off} by {first['error']:.3g} {first['unit']}."
+        return f"Its answer is {of}{got}, which is off {off} by {first['error']:.3g} {first['unit']}."
     answers = "a hit" if got and class_alone else of + got if got else "a miss"
     exactly = "a hit" if right and class_alone else of + right if right else "a miss"
     form = exact.get("closed_form") if first["exact"] == [exact.get("s")] and not class_alone else None
-    return f"It answers {answers}. Exact: {exactly}" + (f", which is {form}." if form else ".")
+    return f"Its answer is {answers}. The exact answer is {exactly}" + (f", which is {form}." if form else ".")
 
 
 def decimal(number):
@@ -333,7 +354,7 @@ def decimal(number):
 
 
 def mildest(pages):
-    """One page for each engine: its reading that breaks least, with the others in `others`."""
+    """One page for each engine: the reading under which it breaks least, with the pages of its other readings in `others`."""
     readings = {}
     for page in pages:
         readings.setdefault(page.engine.get("of", page.name), []).append(page)
@@ -346,7 +367,7 @@ def mildest(pages):
 
 
 def add_times(pages, raycheck, build):
-    """Sets the time for a ray divided by that of `quadratic`, for engines that can be called in process, from one run."""
+    """Sets the time for a ray, divided by that of `quadratic`, of engines that can be called in process; one run times all."""
     libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and page.name not in OWN]
     if not libraries:
         return
@@ -374,7 +395,7 @@ def chart(pages, path):
     for power in range(math.ceil(least), math.floor(most) + 1):
         x = across(10 ** power)
         lines.append(f'<path d="M{x:.0f} 60V510" stroke="#ccc"/><text x="{x:.0f}" y="526">{10 ** power:g}</text>')
-    lines += ['<text x="330" y="550">time a ray, over that of quadratic</text>',
+    lines += ['<text x="330" y="550">time per ray / that of quadratic</text>',
               '<text x="22" y="40">right up to this distance, in radii</text>']
     stacked = {}
     for ratio, held, name in sorted(dots):

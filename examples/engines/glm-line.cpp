@@ -1,7 +1,7 @@
 // GLM's intersectLineSphere, in doubles: both points where the line through two points meets the
-// sphere, here kFar directions apart. Debian: libglm-dev.
-// Source: glm/gtx/intersect.hpp. Silent on tangents and on the order of points: the one that comes
-// first along the line is taken.
+// sphere. The two points are kFar directions apart here. Debian: libglm-dev.
+// Source: glm/gtx/intersect.hpp. Silent on tangents and on the order of points; the adapter takes
+// the first along the line.
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/intersect.hpp>

@@ -1,7 +1,7 @@
 // GLM's intersectRaySphere with a distance (in doubles; glm-float.cpp: in floats), which requires
 // unit directions. Debian: libglm-dev. Source: glm/gtx/intersect.hpp. Silent on tangents, on the
-// root (it is the nearest), and on its epsilon, an absolute ulp of 1: nearer hits count as behind
-// the origin.
+// root (it is the nearest), and on its epsilon, the ulp of 1: hits at smaller distances count as
+// behind the origin.
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/intersect.hpp>

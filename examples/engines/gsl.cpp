@@ -10,7 +10,7 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere,
                                     const Conventions& asked) {
   const Quadratic q(ray, sphere);
   double smaller = 0, larger = 0;
-  // A double root counts as two that are equal.
+  // GSL returns a double root as two equal roots.
   if (gsl_poly_solve_quadratic(q.a, q.b, q.c, &smaller, &larger) != 2) return std::nullopt;
   return chosen(ray, smaller, larger, asked);
 }

@@ -1,6 +1,6 @@
 // Imath's Sphere3::intersect in floats: "the point of intersection" at the smallest t >= 0 so that
-// l(t) is a point on the sphere. Debian: libimath-dev. Source: Imath/ImathSphere.h; for
-// undocumented points see imath.cpp.
+// l(t) is a point on the sphere. Debian: libimath-dev. Source: Imath/ImathSphere.h. For what is
+// undocumented see imath.cpp.
 
 #include <Imath/ImathLine.h>
 #include <Imath/ImathSphere.h>

@@ -1,7 +1,8 @@
 // Imath's Sphere3::intersectT (in doubles; imath-float.cpp: in floats): the parameter of the line
 // at "the smallest t >= 0 so that l(t) is a point on the sphere". Debian: libimath-dev. Source:
-// Imath/ImathSphere.h, Imath/ImathLine.h. Both are silent on the direction's length; the functions
-// that set a line from two points make it unit, and unit is the milder reading. Silent on tangents.
+// Imath/ImathSphere.h, Imath/ImathLine.h. Both are silent on the direction's length. The adapter
+// uses unit directions, since the functions that set a line from two points make them, and since
+// this is the milder reading. Silent on tangents.
 
 #include <Imath/ImathLine.h>
 #include <Imath/ImathSphere.h>

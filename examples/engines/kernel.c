@@ -1,5 +1,5 @@
-/* A sphere in a fragment shader, as a candidate: what GLSL and WGSL write with vec3 and float, in
-   C. A shader's compiler may do more (fuse, reorder); this is what its source says.
+/* A sphere in a fragment shader, as a candidate: code of GLSL and WGSL, with vec3 and float,
+   translated to C. A shader's compiler may also fuse and reorder operations.
 
        gcc -O2 -ffp-contract=off -fPIC -shared -Iinclude examples/engines/kernel.c -lm -o kernel.so
        raycheck properties --candidate library:kernel.so */

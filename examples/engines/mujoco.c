@@ -1,7 +1,7 @@
 /* MuJoCo's mju_rayGeom of a sphere, in doubles: the x of pnt + x vec, x >= 0, at the nearest
    surface, or -1. Debian: libmujoco-dev; -lmujoco.
-   Source: mujoco/mujoco.h, "Ray collisions". Any direction will do. Silent on tangents and on
-   what mjMINVAL, 1e-15, does. */
+   Source: mujoco/mujoco.h, "Ray collisions". Directions of any length. Silent on tangents and on
+   the effect of mjMINVAL, 1e-15. */
 
 #include <mujoco/mujoco.h>
 #include <raycheck/candidate.h>

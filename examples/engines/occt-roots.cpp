@@ -1,4 +1,4 @@
-// Open CASCADE's math_DirectPolynomialRoots of the textbook's rounded coefficients. Debian:
+// Open CASCADE's math_DirectPolynomialRoots for the textbook's rounded coefficients. Debian:
 // libocct-foundation-dev; -lTKMath -lTKernel.
 // Source: opencascade/math_DirectPolynomialRoots.hxx: the real roots of A x^2 + B x + C, in no
 // promised order.

@@ -4,7 +4,7 @@
 // Source: opencascade/IntAna_IntConicQuad.hxx, gp_Lin.hxx. gp_Dir makes directions unit. Silent on
 // the order of points and on tangents.
 
-// IntAna_Quadric.hxx needs the others first.
+// IntAna_Quadric.hxx needs the headers before it.
 // clang-format off
 #include <gp.hxx>
 #include <gp_Ax3.hxx>

@@ -1,7 +1,7 @@
 // ODE's dCollide of a dCreateRay and a dCreateSphere, in doubles as Debian builds it: the contact's
 // depth is the distance from the ray's start to the hit. Debian: libode-dev; -lode.
 // Source: the manual, "Collision Detection" (contact points, ray class). Silent on tangents. A
-// contact has a position as well; with any direction only one of both can be returned.
+// contact also has a position, but for directions of any length a candidate can return only one.
 
 #include <ode/ode.h>
 

@@ -1,8 +1,8 @@
 // Ogre's Math::intersects(Ray, Sphere), discardInside = false, in floats: whether it is a hit, and
 // the t of Ray::getPoint(t). Debian: libogre-1.12-dev; -lOgreMain. With discardInside = true an
 // origin inside is a hit at 0, which fits no root convention. Source: OGRE/OgreMath.h,
-// OGRE/OgreRay.h. Silent on tangents and, as it returns negative t, on whether roots behind the
-// origin count (LINES selects the reading that they do); directions of any length.
+// OGRE/OgreRay.h. Silent on tangents and on whether roots behind the origin count, since it returns
+// negative t (LINES selects the reading that they count). Directions of any length.
 
 #include <OgreMath.h>
 #include <OgreRay.h>

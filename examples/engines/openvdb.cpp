@@ -1,7 +1,7 @@
-// OpenVDB's math::Ray::intersects(center, radius, t0, t1), in doubles. Debian: libopenvdb-dev. Of a
-// hit it returns both times, clipped to those of the ray, by default 1e-9 to the largest double; a
-// clipped one is not an intersection. Directions need not be unit. Source: openvdb/math/Ray.h.
-// Silent on tangents.
+// OpenVDB's math::Ray::intersects(center, radius, t0, t1), in doubles. Debian: libopenvdb-dev. For
+// a hit it returns both times, clipped to the times of the ray, by default 1e-9 to the largest
+// double. A clipped time is not an intersection. Directions need not be unit. Source:
+// openvdb/math/Ray.h. Silent on tangents.
 
 #include <openvdb/math/Ray.h>
 

@@ -1,7 +1,8 @@
 // OpenSceneGraph's osgManipulator::SphereProjector::project: where the line through a pointer's
-// near and far points, doubles and here kFar directions apart, meets the front of a sphere of
-// floats. Debian: libopenscenegraph-dev; -losgManipulator -losg. Source: osgManipulator/Projector,
-// osg/Shape. Silent on tangents, and on spheres behind the near point: they count as well.
+// near and far points meets the front of a sphere. The points are in doubles, here kFar directions
+// apart; the sphere is in floats. Debian: libopenscenegraph-dev; -losgManipulator -losg. Source:
+// osgManipulator/Projector, osg/Shape. Silent on tangents, and on spheres behind the near point,
+// which count, too.
 
 #include <osg/Shape>
 #include <osgManipulator/Dragger>

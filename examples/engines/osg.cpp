@@ -1,7 +1,7 @@
-// OpenSceneGraph's LineSegmentIntersector::enter of a node, by the sphere of floats that bounds it:
-// whether a segment intersects it, so that its contents can be picked. Debian:
-// libopenscenegraph-dev; -losgUtil -losg. Source: osgUtil/LineSegmentIntersector, osg/Node. Silent
-// on tangents. Its spheres are solid: a segment that lies inside is a hit as well.
+// OpenSceneGraph's LineSegmentIntersector::enter: whether a segment intersects the bounding sphere
+// of a node, in floats, so that the node's contents can be picked. Debian: libopenscenegraph-dev;
+// -losgUtil -losg. Source: osgUtil/LineSegmentIntersector, osg/Node. Silent on tangents. Its
+// spheres are solid: a segment that lies inside is a hit, too.
 
 #include <osg/Group>
 #include <osgUtil/LineSegmentIntersector>

@@ -1,7 +1,7 @@
-// Simbody's PolynomialRootFinder::findRoots of the textbook's rounded coefficients. Debian:
+// Simbody's PolynomialRootFinder::findRoots for the textbook's rounded coefficients. Debian:
 // libsimbody-dev; -lSimTKcommon.
-// Source: SimTKcommon/internal/PolynomialRootFinder.h: two complex roots, in no promised order;
-// those of imaginary part 0 are real.
+// Source: SimTKcommon/internal/PolynomialRootFinder.h. Returns two complex roots, in no promised
+// order; roots with the imaginary part 0 are real.
 
 #include <SimTKcommon/internal/PolynomialRootFinder.h>
 

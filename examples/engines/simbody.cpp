@@ -1,7 +1,8 @@
 // Simbody's ContactGeometry::Sphere::intersectsRay, in doubles: the distance from the ray's origin
 // to the intersection point. Debian: libsimbody-dev; -std=c++17 -lSimTKmath -lSimTKcommon. Source:
-// simmath/internal/ContactGeometry.h, which is not valid C++20. UnitVec3 makes directions unit.
-// Spheres have their centres at the origin: the caller subtracts. Silent on tangents.
+// simmath/internal/ContactGeometry.h, which is not valid C++20. UnitVec3 makes directions unit. Its
+// spheres have their centres at (0, 0, 0), so that the adapter subtracts the centre. Silent on
+// tangents.
 
 #include <SimTKmath.h>
 #include <raycheck/candidate.h>

@@ -1,9 +1,10 @@
-// VecGeom's UnplacedSphere of no inner radius, in doubles: DistanceToOut from inside, DistanceToIn
-// from elsewhere, for which points inside are undefined. Debian: libvecgeom-dev, whose headers need
-// the macro of the backend that it was built with: -DVECCORE_ENABLE_VC ... -lvecgeom. Source:
-// VecGeom/volumes/UnplacedSphere.h, UnplacedVolume.h (unit directions), base/Global.h: points
-// within kTolerance = 1e-9 of the surface are on it, which is too coarse for lengths below 1e-3.
-// Spheres have their centres at the origin: the caller subtracts.
+// VecGeom's UnplacedSphere without an inner radius, in doubles. DistanceToOut is called for origins
+// inside, DistanceToIn for all others, since it is undefined inside. Debian: libvecgeom-dev, whose
+// headers need the macro of the backend that it was built with: -DVECCORE_ENABLE_VC ... -lvecgeom.
+// Source: VecGeom/volumes/UnplacedSphere.h, UnplacedVolume.h (unit directions), base/Global.h.
+// Points within kTolerance = 1e-9 of the surface count as on it, which is too coarse for lengths
+// below 1e-3. Its spheres have their centres at (0, 0, 0), so that the adapter subtracts the
+// centre.
 
 #include <VecGeom/volumes/UnplacedSphere.h>
 

@@ -1,9 +1,9 @@
-// VecGeom's UnplacedOrb, in doubles: DistanceToIn, and where that is negative, from inside,
-// DistanceToOut. Debian: libvecgeom-dev, whose headers need the macro of the backend that it was
-// built with: -DVECCORE_ENABLE_VC ... -lvecgeom. Source: VecGeom/volumes/UnplacedOrb.h,
-// UnplacedVolume.h (unit directions), base/Global.h: points within kTolerance = 1e-9 of the surface
-// are on it, which is too coarse for lengths below 1e-3. Orbs have their centres at the origin: the
-// caller subtracts.
+// VecGeom's UnplacedOrb, in doubles: DistanceToIn; if it is negative, the origin is inside, and
+// DistanceToOut is called. Debian: libvecgeom-dev, whose headers need the macro of the backend that
+// it was built with: -DVECCORE_ENABLE_VC ... -lvecgeom. Source: VecGeom/volumes/UnplacedOrb.h,
+// UnplacedVolume.h (unit directions), base/Global.h. Points within kTolerance = 1e-9 of the surface
+// count as on it, which is too coarse for lengths below 1e-3. Its orbs have their centres at (0, 0,
+// 0), so that the adapter subtracts the centre.
 
 #include <VecGeom/volumes/UnplacedOrb.h>
 

@@ -1,7 +1,7 @@
-// VTK's vtkPolynomialSolversUnivariate::SolveQuadratic of the textbook's rounded coefficients.
+// VTK's vtkPolynomialSolversUnivariate::SolveQuadratic for the textbook's rounded coefficients.
 // Debian: libvtk9-dev; -lvtkCommonMath.
-// Source: vtkPolynomialSolversUnivariate.h: the number of real roots, a double one counted once,
-// in no promised order.
+// Source: vtkPolynomialSolversUnivariate.h. Returns the number of real roots, where a double root
+// counts once, and the roots, in no promised order.
 
 #include <vtkPolynomialSolversUnivariate.h>
 

@@ -1,7 +1,8 @@
 // Wild Magic 5's IntrLine3Sphere3, in doubles: the first point of P + t D, t any real number, and
 // its t; D must be unit. Debian: libwildmagic-dev; -lWm5Mathematics -lWm5Core.
 // Source: libwildmagic/Wm5IntrLine3Sphere3.h, Wm5Line3.h. Silent on tangents, on the order of two
-// points, and on what Math::ZERO_TOLERANCE, 1e-8 (1e-6 in floats), does: lengths stay above it.
+// points, and on the effect of Math::ZERO_TOLERANCE, 1e-8 (1e-6 in floats); the adapter's lengths
+// are above it.
 
 #include <libwildmagic/Wm5IntrLine3Sphere3.h>
 

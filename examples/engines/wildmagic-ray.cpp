@@ -2,7 +2,8 @@
 // of P + t D, t >= 0, and its t; D must be unit. Debian: libwildmagic-dev; -lWm5Mathematics
 // -lWm5Core.
 // Source: libwildmagic/Wm5IntrRay3Sphere3.h, Wm5Ray3.h. Silent on tangents, on the order of two
-// points, and on what Math::ZERO_TOLERANCE, 1e-8 (1e-6 in floats), does: lengths stay above it.
+// points, and on the effect of Math::ZERO_TOLERANCE, 1e-8 (1e-6 in floats); the adapter's lengths
+// are above it.
 
 #include <libwildmagic/Wm5IntrRay3Sphere3.h>
 

@@ -1,11 +1,11 @@
-// The first intersection of a ray and a sphere by the textbook formula. b^2 - 4ac cancels on far
+// The first intersection of a ray and a sphere by the textbook formula. b^2 - 4ac cancels for far
 // spheres.
 
 #pragma once
 
 #include <cmath>
 
-/// The smallest s >= 0 at which |o + s d - c| = r, or -1.
+/// The smallest s >= 0 with |o + s d - c| = r, or -1.
 template <typename Vector>
 double hit_sphere(const Vector& o, const Vector& d, const Vector& c, double r) {
   const Vector f{o.x - c.x, o.y - c.y, o.z - c.z};

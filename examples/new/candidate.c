@@ -1,4 +1,4 @@
-/* NAME, judged by raycheck: call your function below, and declare its conventions. */
+/* NAME, a candidate for raycheck: call your function below, and declare its conventions. */
 
 #include <raycheck/candidate.h>
 #include <stdio.h>
@@ -16,14 +16,15 @@ static raycheck_hit intersect(const raycheck_ray* ray, const raycheck_sphere* sp
 #ifdef __cplusplus
 extern "C"
 #endif
-const raycheck_candidate* raycheck_candidate_functions(void) {
+    const raycheck_candidate*
+    raycheck_candidate_functions(void) {
   static raycheck_candidate candidate;
   candidate.version = RAYCHECK_CANDIDATE_VERSION;
   candidate.name = "NAME";
   candidate.intersect = intersect;
   candidate.declared.root = RAYCHECK_ROOT_NEAREST; /* or RAYCHECK_ROOT_SMALLER: always v - d */
   candidate.declared.tangent = RAYCHECK_TANGENT_EITHER;
-  /* Add what applies: candidate.precision if it computes in floats; candidate.roots and
-     .declared_roots; candidate.directions; candidate.returns. */
+  /* If it applies, set candidate.precision (your code computes in floats), candidate.roots and
+     .declared_roots, candidate.directions, candidate.returns. */
   return &candidate;
 }

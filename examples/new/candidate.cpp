@@ -1,4 +1,4 @@
-// NAME, judged by raycheck: call your function below, and declare its conventions at the end.
+// NAME, a candidate for raycheck: call your function below, and declare its conventions at the end.
 
 #include <raycheck/candidate.hpp>
 #include <stdexcept>
@@ -12,10 +12,10 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   throw std::runtime_error("NAME: calls nothing yet");
 }
 
-// Root::nearest is the smallest s >= 0, Root::smaller always v - d. Add what applies, in this
-// order: .precision = Precision::single if it computes in floats, .roots = Roots::declared and
-// .valid = {.t_min = 1e-3, .ends = Ends::open, .unit = TUnit::length} if it ignores hits nearer
-// than that, .directions = Directions::unit if it requires them, .returns = Returns::parameter,
-// point, distance, squared_distance or class_only.
+// Root::nearest is the smallest s >= 0, Root::smaller always v - d. Add what applies to your code,
+// in this order: .precision = Precision::single if it computes in floats; .roots = Roots::declared
+// and .valid = {.t_min = 1e-3, .ends = Ends::open, .unit = TUnit::length} if it ignores hits nearer
+// than 1e-3; .directions = Directions::unit if it requires unit directions; .returns =
+// Returns::parameter, point, distance, squared_distance or class_only.
 RAYCHECK_CANDIDATE(.name = "NAME", .root = Root::nearest, .tangent = Tangent::either,
                    .intersect = intersect)

@@ -1,4 +1,4 @@
-/** NAME, judged by raycheck: call your function below, and override its conventions. */
+/** NAME, a candidate for raycheck: call your function below, and declare its conventions. */
 public class NAME extends RaycheckCandidate {
   @Override
   public Hit intersect(Ray ray, Sphere sphere, Conventions asked) {
@@ -6,7 +6,7 @@ public class NAME extends RaycheckCandidate {
     throw new IllegalStateException("NAME: calls nothing yet");
   }
 
-  // "root smaller": always v - d. Override what else applies: precision(), roots(), directions(),
+  // "root smaller" is always v - d. If they apply, also override precision(), roots(), directions(),
   // returns().
   @Override
   public java.util.List<String> declared() {

@@ -1,4 +1,4 @@
-// NAME, judged by raycheck: call your function below, and declare its conventions at the end.
+// NAME, a candidate for raycheck: call your function below, and declare its conventions at the end.
 import { run } from "./raycheck_candidate.mjs";
 
 function intersect({ origin, direction }, { centre, radius }) {
@@ -6,7 +6,8 @@ function intersect({ origin, direction }, { centre, radius }) {
   throw new Error("NAME: calls nothing yet");
 }
 
-// root: "smaller" is always v - d. Add what applies: precision: "single",
-// roots: { ends: "()", tMin: 1e-3, unit: "length" } if it ignores hits nearer than that, directions: "unit" if it requires
-// them, returns: "parameter", "point", "distance", "squared-distance" or "class".
+// root: "smaller" is always v - d. Add what applies to your code: precision: "single" if it
+// computes in floats; roots: { ends: "()", tMin: 1e-3, unit: "length" } if it ignores hits nearer
+// than 1e-3; directions: "unit" if it requires unit directions; returns: "parameter", "point",
+// "distance", "squared-distance" or "class".
 run("NAME", { root: "nearest", tangent: "either", intersect });

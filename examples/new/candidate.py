@@ -1,4 +1,4 @@
-"""NAME, judged by raycheck: call your function below, and declare its conventions at the end."""
+"""NAME, a candidate for raycheck: call your function below, and declare its conventions at the end."""
 import raycheck_candidate as rc
 
 
@@ -8,8 +8,8 @@ def intersect(ray, sphere, conventions):
     raise NotImplementedError("NAME: calls nothing yet")
 
 
-# root="smaller" is always v - d. Add what applies: precision="single",
-# roots=rc.Roots("()", 1e-3, float("inf"), "length", "none") if it ignores hits nearer than that,
-# directions="unit" if it requires them, returns="parameter", "point", "distance",
-# "squared-distance" or "class".
+# root="smaller" is always v - d. Add what applies to your code: precision="single" if it computes
+# in floats; roots=rc.Roots("()", 1e-3, float("inf"), "length", "none") if it ignores hits nearer
+# than 1e-3; directions="unit" if it requires unit directions; returns="parameter", "point",
+# "distance", "squared-distance" or "class".
 rc.run("NAME", root="nearest", tangent="either", intersect=intersect)

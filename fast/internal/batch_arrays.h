@@ -1,7 +1,7 @@
 #pragma once
 
-// A batch as bare arrays, for code that is compiled for one target and so must not instantiate
-// shared templates. Internal to fast/.
+// A batch as bare arrays. Code that is compiled for one target uses them, since it must not
+// instantiate shared templates. Internal to fast/.
 
 #include <array>
 #include <cstddef>
@@ -25,7 +25,7 @@ struct RayArrays {
   const double* direction[3];
 };
 
-/// In place of a hit flag: this kernel cannot decide.
+/// The hit flag of a ray that the kernel cannot decide.
 inline constexpr std::uint8_t kOpen = 2;
 
 struct HitArrays {
@@ -51,8 +51,8 @@ struct BatchInput {
   scene::HitRule rule;
 };
 
-/// Answers rays, each as the method's intersect_one() does. False where some ray may be invalid;
-/// the answers are then meaningless.
+/// Gives each ray the answer of the method's intersect_one(). Returns false if a ray may be
+/// invalid; the answers are then meaningless.
 using BatchKernel = bool (*)(const BatchInput&, const HitArrays&);
 
 /// IntersectMethod::intersect with the target's kernel.

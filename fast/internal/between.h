@@ -1,5 +1,5 @@
-// Intervals of floating-point results: what a formula can return for a box of inputs, in its own
-// arithmetic. Internal to fast/. Compiled once for each of Highway's targets
+// Intervals that contain every result of a formula, in its own floating-point arithmetic, for a box
+// of inputs. Internal to fast/. Compiled once for each of Highway's targets
 // (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_BETWEEN_H_) == defined(HWY_TARGET_TOGGLE)
@@ -27,10 +27,10 @@ inline Possible operator&(Possible a, Possible b) {
   return {a.can_be_true && b.can_be_true, a.can_be_false || b.can_be_false};
 }
 
-/// Every result that F's arithmetic can have on the numbers between two: rounding to nearest is
-/// monotone, and so is each operation where its operands keep their signs, so that the least and
-/// the greatest result are among those at the ends, rounded alike. Where one of these is not finite
-/// it may be anything, NaN included; both ends are then NaN.
+/// The least and the greatest result that F's arithmetic can have if each operand lies between two
+/// numbers. Rounding to nearest is monotone, and so is each operation if its operands keep their
+/// signs; therefore both results are among those at the ends. If a result at the ends is not
+/// finite, any result is possible, also NaN; least and greatest are then NaN.
 template <class F>
 struct Between {
   F least, greatest;

@@ -1,8 +1,8 @@
 #pragma once
 
-// Numbers of about 106 bits as unevaluated sums of two doubles. Internal to fast/.
-// Source: Joldes, Muller and Popescu, Tight and rigorous error bounds for basic building blocks of
-// double-word arithmetic, 2017; the algorithms' names are theirs.
+// Numbers of about 106 bits as unevaluated sums of two doubles. Internal to fast/. Source of the
+// algorithms and their names: Joldes, Muller and Popescu, Tight and rigorous error bounds for basic
+// building blocks of double-word arithmetic, 2017.
 
 #include <cmath>
 
@@ -16,24 +16,25 @@ using HWY_NAMESPACE::two_square;
 using HWY_NAMESPACE::two_sum;
 using Rounded = HWY_NAMESPACE::Rounded<double>;
 
-/// Domain: as two_product(); the double range is not extended.
+/// Domain: that of two_product(); the range is that of doubles.
 /// Error:  every operation and square root is off by at most kDoubleDoubleError of its result.
 struct DoubleDouble {
   double high = 0;
   double low = 0;  ///< |low| <= ulp(high)/2
 
   constexpr DoubleDouble() = default;
-  constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: a double is one, exactly
-  constexpr DoubleDouble(Rounded value) : high(value.x), low(value.error) {}  // NOLINT: likewise
+  constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: an exact conversion
+  constexpr DoubleDouble(Rounded value)                  // NOLINT: an exact conversion
+      : high(value.x), low(value.error) {}
   explicit operator double() const { return high; }
 
   DoubleDouble& operator+=(const DoubleDouble& y);
 };
 
-/// The largest of the bounds below: 3 u^2 of sums (AccurateDWPlusDW), 7 u^2 of products
-/// (DWTimesDW1) and 15 u^2 of quotients (DWDivDW2), u = 2^-53; 25/8 u^2 of square roots (Lefevre,
-/// Louvet, Muller, Picot and Rideau, Accurate calculation of Euclidean norms using double-word
-/// arithmetic, 2023).
+/// At least the relative error of every operation, u = 2^-53: 3 u^2 for sums (AccurateDWPlusDW), 7
+/// u^2 for products (DWTimesDW1), 15 u^2 for quotients (DWDivDW2), and 25/8 u^2 for square roots
+/// (Lefevre, Louvet, Muller, Picot and Rideau, Accurate calculation of Euclidean norms using
+/// double-word arithmetic, 2023).
 inline constexpr double kDoubleDoubleError = 0x1p-102;
 
 inline DoubleDouble operator-(const DoubleDouble& x) { return Rounded{-x.high, -x.low}; }

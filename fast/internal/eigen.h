@@ -1,6 +1,6 @@
 #pragma once
 
-// Between the plain structs of scene/ and Eigen's vectors. Internal to fast/.
+// Converts the plain structs of scene/ to Eigen's vectors and back. Internal to fast/.
 
 #include <Eigen/Dense>
 

@@ -1,5 +1,5 @@
-// Sums and products of two numbers as a rounded result and its error. Internal to fast/. Compiled
-// once for each of Highway's targets (fast/internal/lanes.h).
+// Sums and products of two numbers, as a rounded result and its rounding error. Internal to fast/.
+// Compiled once for each of Highway's targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_ERROR_FREE_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_FAST_INTERNAL_ERROR_FREE_H_
@@ -30,7 +30,7 @@ HWY_INLINE Rounded<N> two_sum(N a, N b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// a - b, as two_sum.
+/// a - b exactly, like two_sum.
 template <class N>
 HWY_INLINE Rounded<N> two_difference(N a, N b) {
   const N difference = a - b;
@@ -38,16 +38,16 @@ HWY_INLINE Rounded<N> two_difference(N a, N b) {
   return {difference, (a - (difference + b_part)) + (b_part - b)};
 }
 
-/// two_sum where |a| >= |b| or a = 0 (Dekker, A floating-point technique for extending the
-/// available precision, 1971).
+/// two_sum for |a| >= |b| or a = 0 (Dekker, A floating-point technique for extending the available
+/// precision, 1971).
 template <class N>
 HWY_INLINE Rounded<N> fast_two_sum(N a, N b) {
   const N sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// x to a multiple of 2^-53 scale, which is a power of 2; off by at most u(|x| + scale).
-/// Domain: |x| <= 2^16 scale.
+/// x rounded to a multiple of 2^-53 scale; off by at most u(|x| + scale).
+/// Domain: scale is a power of 2, |x| <= 2^16 scale.
 template <class N>
 HWY_INLINE N coarse(const N& x, const N& scale) {
   return (x + scale) - scale;
@@ -63,7 +63,7 @@ template <class N>
 HWY_INLINE N square_error(N a, N square) {
   return mul_sub(a, a, square);
 }
-/// The rest of a b after subtracting its coarse part, rounded once.
+/// a b - high, rounded once; high is the coarse part of a b.
 template <class N>
 HWY_INLINE N product_rest(N a, N b, N high) {
   return mul_sub(a, b, high);
@@ -71,8 +71,9 @@ HWY_INLINE N product_rest(N a, N b, N high) {
 
 #else
 
-// Without an FMA instruction, calling std::fma costs more than the 17 operations of Dekker's
-// product, which finds the same errors, to the bit, unless something over- or underflows.
+// Without an FMA instruction, a call of std::fma costs more than the 17 operations of Dekker's
+// product, which finds the same errors to the bit unless an intermediate result over- or
+// underflows.
 
 /// a b - c, rounded once.
 inline HWY_NOINLINE double fused_minus(double a, double b, double c) { return std::fma(a, b, -c); }
@@ -85,10 +86,11 @@ inline HWY_NOINLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
   return load(x);
 }
 
-/// From here on the errors of products, and all their parts, are in the double range.
+/// The error of a product that is at least this large, and all parts of the error, are in the range
+/// of doubles.
 inline constexpr double kLeastProduct = 0x1p-960;
 
-/// a as two numbers of at most 26 bits (Veltkamp; in Dekker 1971); NaN where |a| > 2^996.
+/// a as the sum of two numbers of at most 26 bits (Veltkamp; in Dekker 1971); NaN if |a| > 2^996.
 template <class N>
 HWY_INLINE Rounded<N> split(N a) {
   const N scaled = N(0x1p27 + 1) * a;
@@ -96,13 +98,13 @@ HWY_INLINE Rounded<N> split(N a) {
   return {high, a - high};
 }
 
-/// Dekker's error of a product; not finite where an intermediate result overflows, so that it
-/// cannot be trusted by mistake.
+/// Dekker's error of a product, if it is exact; otherwise the error by fused_minus(). Dekker's
+/// error is not finite if an intermediate result overflows.
 template <class N>
 HWY_INLINE N trusted(N error, N a, N b, N product) {
   const auto is_exact = (error - error == N(0)) &
                         ((absolute(product) > N(kLeastProduct)) | (a == N(0)) | (b == N(0)));
-  const auto is_nan = !(product == product);  // of a lane that counts for nothing
+  const auto is_nan = !(product == product);  // this lane's error does not matter
   return !all(is_exact | is_nan) ? fused_minus(a, b, product) : error;
 }
 
@@ -128,7 +130,7 @@ HWY_INLINE N product_rest(N a, N b, N high) {
 
 #endif
 
-/// a b, and its error rounded once: exact where |a b| >= 2^-969, off by at most 2^-1075 below.
+/// a b and its error, rounded once: exact if |a b| >= 2^-969, otherwise off by at most 2^-1075.
 /// Domain: no overflow.
 template <class N>
 HWY_INLINE Rounded<N> two_product(N a, N b) {
@@ -136,15 +138,15 @@ HWY_INLINE Rounded<N> two_product(N a, N b) {
   return {product, product_error(a, b, product)};
 }
 
-/// a^2, as two_product.
+/// a^2 and its error, like two_product.
 template <class N>
 HWY_INLINE Rounded<N> two_square(N a) {
   const N square = a * a;
   return {square, square_error(a, square)};
 }
 
-/// x y - z w with no more error than a few roundings of the result (Kahan; analysed by Jeannerod,
-/// Louvet and Muller, Further analysis of Kahan's algorithm for the accurate computation of 2x2
+/// x y - z w, off by a few roundings of the result at most (Kahan; analysed by Jeannerod, Louvet
+/// and Muller, Further analysis of Kahan's algorithm for the accurate computation of 2x2
 /// determinants, 2013; here with the errors of both products).
 template <class N>
 HWY_INLINE N difference_of_products(N x, N y, N z, N w) {

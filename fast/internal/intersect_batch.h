@@ -1,6 +1,6 @@
-// From a method's roots for one ray and one sphere, in any number type, to its answers for one ray
-// and for a batch. Internal to fast/. Compiled once for each of Highway's targets
-// (fast/internal/lanes.h).
+// Makes a method's answers for one ray and for a batch from its formula for the roots of one ray
+// and one sphere, in any number type. Internal to fast/. Compiled once for each of Highway's
+// targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_
@@ -51,10 +51,11 @@ struct RootsOf {
   N half_chord_sq;
   N smaller;
   N larger;
-  N discriminant;  ///< A multiple of half_chord_sq; only its sign counts.
+  N discriminant;  ///< A positive multiple of half_chord_sq; only its sign is used.
 };
 
-/// The coefficients of a t^2 - 2 b t + c = 0, whose roots are where a ray meets a sphere.
+/// The coefficients of a t^2 - 2 b t + c = 0. The roots are the parameters of the points where a
+/// ray's line meets a sphere.
 template <class N>
 struct Quadratic {
   Triple<N> T;  ///< From the origin to the centre.
@@ -68,9 +69,9 @@ HWY_INLINE Quadratic<N> quadratic(const RayOf<N>& ray, const SphereOf<N>& sphere
           dot(T, T) - sphere.radius * sphere.radius};
 }
 
-/// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
-/// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0. A
-/// comparison chooses the sign, not the sign bit, which would exchange the roots at b = -0.
+/// The roots q/a and c/q of a t^2 - 2 b t + c = 0, where q = b + sign(b) sqrt(disc) does not cancel
+/// (Numerical Recipes 5.6). q = 0 only for a double root 0. The sign of b comes from a comparison,
+/// since the sign bit would exchange the roots at b = -0.
 template <class N>
 HWY_INLINE RootsOf<N> roots_by_q(const N& a, const N& b, const N& c, const N& discriminant) {
   const auto forward = b >= N(0);
@@ -110,8 +111,8 @@ struct FromRoots : Method {
   }
 };
 
-// The functions of an IntersectMethod, made from an Answerer: a type with FromRoots's answer().
-// Flattened: a call would pass vectors through memory and compute values that are not needed.
+// The functions of an IntersectMethod, made from an Answerer: a type with answer(), like FromRoots.
+// They are flattened, since a call would pass vectors through memory and compute unneeded values.
 
 template <class N>
 HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
@@ -137,7 +138,7 @@ Roots roots_of(const scene::Ray& ray, const scene::Sphere& sphere) {
           static_cast<double>(found.smaller), static_cast<double>(found.larger)};
 }
 
-/// IntersectMethod::classes_in, of a formula as below that uses no error of a sum or product.
+/// IntersectMethod::classes_in of a Formula (see below) that uses no errors of sums or products.
 template <template <class> class Formula, class F = double>
 scene::PossibleClasses classes_in(const scene::Box<scene::Ray>& rays,
                                   const scene::Box<scene::Sphere>& spheres, scene::HitRule rule) {
@@ -169,8 +170,8 @@ template <class Answerer>
   }
 }
 
-/// Whether all rays seen are valid. May report invalid where a direction's square is out of range,
-/// or an origin is near the end of the range.
+/// Whether all rays given to see() are valid. A valid ray may be taken for invalid if the square of
+/// its direction is out of range, or its origin is near the end of the range.
 class Validity {
  public:
   Validity() : sum_(0.0), directionless_(sum_ < sum_) {}
@@ -213,7 +214,7 @@ template <class Answerer>
   return valid.holds();
 }
 
-/// A BatchKernel for any count, from one for multiples of kLaneCount.
+/// A BatchKernel for any count, made from one for multiples of kLaneCount.
 inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
                          const HitArrays& answers) {
   constexpr std::size_t kLanes = kLaneCount;
@@ -249,8 +250,9 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-// A method made from its formula, a `template <class N> struct Formula` with the roots() that
-// FromRoots calls. Names contain the formula's, as one unit may compile several methods.
+// These macros make a method from its formula, a `template <class N> struct Formula` with the
+// roots() that FromRoots calls. The names of the functions contain that of the formula, since one
+// unit may compile several methods.
 //
 // In the target's namespace: the batch, by lanes.
 #define RAYCHECK_BATCH_OF(Formula)                                                        \
@@ -259,7 +261,7 @@ HWY_AFTER_NAMESPACE();
     return answer_batch(answer_whole_vectors<FromRoots<Formula<Lanes>>>, input, answers); \
   }                                                                                       \
   }
-// Where HWY_ONCE is set, in raycheck::fast: intersect(), by the best target's batch;
+// In raycheck::fast, if HWY_ONCE is set: intersect(), by the batch of the best target;
 #define RAYCHECK_INTERSECT_BY(Formula)                                                            \
   namespace {                                                                                     \
   HWY_EXPORT(batch_of_##Formula);                                                                 \
@@ -275,9 +277,9 @@ HWY_AFTER_NAMESPACE();
       HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>>, \
   .roots = HWY_NAMESPACE::roots_of<HWY_NAMESPACE::Formula<double>>
 //
-// A formula that uses errors of products answers one ray, too, by the best target's: fused
-// operations are instructions there, and else calls or many operations. In the target's namespace,
-// and where HWY_ONCE is set:
+// A formula that uses errors of products answers single rays by the best target, too: fused
+// operations are instructions there, and calls or many operations on other targets. The first macro
+// is for the target's namespace, the second for raycheck::fast if HWY_ONCE is set.
 #define RAYCHECK_ONE_OF(Formula)                                                          \
   namespace {                                                                             \
   std::optional<Hit> one_of_##Formula(const scene::Ray& ray, const scene::Sphere& sphere, \
@@ -297,7 +299,7 @@ HWY_AFTER_NAMESPACE();
   .intersect = intersect_by_##Formula, .intersect_one = one_by_##Formula, \
   .roots = HWY_NAMESPACE::roots_of<HWY_NAMESPACE::Formula<double>>
 //
-// Of a formula with its number type, ray by ray.
+// For a formula with its number type, ray by ray:
 #define RAYCHECK_FUNCTIONS_RAY_BY_RAY(Formula)                                                     \
   .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula>>,   \
   .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula>>, \

@@ -1,5 +1,5 @@
-// The formulas that several methods share, in any number type. Internal to fast/. Compiled once for
-// each of Highway's targets (fast/internal/lanes.h).
+// The formulas that several methods share, for any number type. Internal to fast/. Compiled once
+// for each of Highway's targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_INTERSECT_FORMULAS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_FAST_INTERNAL_INTERSECT_FORMULAS_H_
@@ -48,8 +48,8 @@ struct LectureFormula {
   }
 };
 
-/// Lagrange's identity, disc = b^2 - a c = a r^2 - |T x d|^2, whose terms cancel only near
-/// tangency; roots by q. For number types so slow that an early exit on a miss pays.
+/// By Lagrange's identity, disc = b^2 - a c = a r^2 - |T x d|^2, whose terms cancel only near
+/// tangency; roots by q. For number types so slow that an early exit on a miss saves time.
 template <class N>
 struct Lagrange {
   using Number = N;

@@ -1,4 +1,4 @@
-// scene/lanes.h for the formulas of fast/. Internal to fast/.
+// Brings scene/lanes.h into the namespace of fast/'s formulas. Internal to fast/.
 
 #if defined(RAYCHECK_FAST_INTERNAL_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_FAST_INTERNAL_LANES_H_
@@ -30,7 +30,7 @@ using scene::HWY_NAMESPACE::smaller;
 using scene::HWY_NAMESPACE::square_root;
 using scene::HWY_NAMESPACE::store;
 
-/// a b + c and a b - c, rounded once where the target has an instruction for it, else twice.
+/// a b + c and a b - c, rounded once if the target has an instruction for it, else twice.
 HWY_INLINE Lanes mul_add(Lanes a, Lanes b, Lanes c) {
   return Lanes(hn::MulAdd(a.raw, b.raw, c.raw));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The image plane that every pixel ray method walks over. Internal to fast/.
+// The image plane, for every pixel ray method. Internal to fast/.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace raycheck::fast {
 
-/// The axes, and alpha and beta of a pixel as the lecture computes them.
+/// A camera's axes, and alpha and beta of a pixel by the lecture's formulas.
 struct PixelPlane {
   PixelPlane(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
       : camera(its_camera), conventions(its_conventions) {

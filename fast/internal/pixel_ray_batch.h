@@ -1,7 +1,7 @@
 #pragma once
 
-// The pixel loops of a method: a type that is made from a camera and conventions, and traces a
-// pixel. Internal to fast/.
+// The pixel loops of a Method: a type that is made from a camera and conventions, and whose trace()
+// gives a PixelTrace for a pixel. Internal to fast/.
 
 #include "fast/internal/pixel_plane.h"
 #include "fast/pixel_ray.h"
@@ -23,7 +23,7 @@ void pixel_points_batch(const scene::Camera& camera, const scene::Conventions& c
   for (std::size_t k = 0; k < pixels.size(); ++k) store(points, k, method.trace(pixels[k]).point);
 }
 
-/// Flattened: a call would pass the trace's vectors through memory.
+/// Flattened, since a call would pass the trace's vectors through memory.
 template <class Method, scene::Origin kOrigin>
 [[gnu::flatten]] void rays_batch(const scene::Camera& camera, const scene::Conventions& conventions,
                                  std::span<const scene::Pixel> pixels, Rays& rays) {

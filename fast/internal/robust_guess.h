@@ -1,5 +1,5 @@
-// The first step of `robust`: hit or miss where doubles decide it, and the first root. Internal to
-// fast/. Compiled once for each of Highway's targets (fast/internal/lanes.h).
+// The first step of `robust`: hit or miss, if doubles decide it, and a first value of the root.
+// Internal to fast/. Compiled once for each of Highway's targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_
@@ -13,21 +13,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-// A class is certain where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2 (kNearShare a f^2
-// where disc = b^2 - a c), and f^2 differs from r^2 by more than kSurfaceShare r^2 + K M^2, M =
-// |C|_1 + r, K = min(kReachShare + kSmallShare (M/r)^2, kMostReach); and where disc >
-// kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so that no product overflows, a > 2^-600,
-// for a hit r^2 > 2^-600, and anything that underflows is negligible beside the margins.
+// A class is certain if three conditions hold.
+//   |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2. If disc was computed as b^2 - a c,
+//   kNearShare takes the place of kFarShare.
+//   |f^2 - r^2| > kSurfaceShare r^2 + K M^2, where M = |C|_1 + r and
+//   K = min(kReachShare + kSmallShare (M/r)^2, kMostReach).
+//   |disc^| > kLeastDiscriminant, a + f^2 < kLargestSquare and r^2 < kLargestSquare.
+// By the third, no product overflows, a > 2^-600, for a hit r^2 > 2^-600, and underflows are
+// negligible beside the margins.
 //
-// Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 19u a (f^2 + r^2) + u |disc^| by either
-// formula, less than a hundredth of the margin; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b
-// requires no more of b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while
-// |b^ - b| <= 4u f|d|. (kRobustFar and its neighbours are machine-proved.)
-// With disc < 0 the ray misses whatever b is. All of this holds whether or not products are fused
-// with sums.
+// Signs. |m^ - m| <= 4.3u f|d|, |c^ - c| <= 6u (f^2 + r^2), and by either formula |disc^ - disc| <=
+// 19u a (f^2 + r^2) + u |disc^|, less than a hundredth of the margin. A miss that follows from the
+// signs of c and b requires no margin for b: if c > 0 and disc > 0, then b^2 > disc > kFarShare f^2
+// |d|^2 (0.99), while |b^ - b| <= 4u f|d|. If disc < 0, the ray misses for every b. All of this
+// holds whether or not products are fused with sums. (Machine proofs of such bounds: kRobustB to
+// kRobustFar.)
 
-/// The margins required of disc and f^2 - r^2 in N's format. Certain signs require at most 32u of
-/// each term (tests/fast/small_formats_test.cpp); a precise s in doubles requires these values.
+/// The margins required of disc and f^2 - r^2 in N's format. Certain signs require only 32u of each
+/// term (tests/fast/small_formats_test.cpp); a precise s in doubles requires these values.
 template <class N>
 struct Margins {
   static constexpr double kDiscriminantShare = 0x1p-13;
@@ -41,11 +44,12 @@ struct Margins {
   static constexpr double kLargestSquare = 0x1p300;
 };
 
-// The bounds that proofs/ proves by machine for the coefficients below, in u: enough for all signs.
-inline constexpr double kRobustB = 8;      ///< Of f |d|.
-inline constexpr double kRobustC = 13;     ///< Of f^2 + r^2.
-inline constexpr double kRobustNear = 38;  ///< Of a (f^2 + r^2), as the next.
-inline constexpr double kRobustFar = 42;
+// Machine-proved bounds (proofs/) on the errors of the coefficients below, small enough for all
+// signs.
+inline constexpr double kRobustB = 8;      ///< b: in u of f |d|.
+inline constexpr double kRobustC = 13;     ///< c: in u of f^2 + r^2.
+inline constexpr double kRobustNear = 38;  ///< near_discriminant(): in u of a (f^2 + r^2).
+inline constexpr double kRobustFar = 42;   ///< far_discriminant(): in u of a (f^2 + r^2).
 static_assert(Margins<double>::kNearShare > 100 * kRobustNear * 0x1p-53 &&
               Margins<double>::kFarShare > 100 * kRobustFar * 0x1p-53 &&
               Margins<double>::kFarShare < Margins<double>::kNearShare &&
@@ -67,7 +71,7 @@ struct Ball {
     const N share = smaller(N(Required::kReachShare) + N(Required::kSmallShare) * (ratio * ratio),
                             N(Required::kMostReach));
     const N margin = N(Required::kSurfaceShare) * square + share * (reach * reach);
-    // With NaN comparisons fail: nothing is certain.
+    // Comparisons with NaN fail, so that nothing is certain.
     const N known = select(square < N(Required::kLargestSquare), square, N(std::nan("")));
     inside = known - margin;
     outside = known + margin;
@@ -77,7 +81,7 @@ struct Ball {
   N square;
   N doubt;
   N reach;            ///< M.
-  N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
+  N inside, outside;  ///< If f^2 < inside, the origin is inside; if f^2 > outside, it is outside.
 };
 
 /// The terms that decide the hit class.
@@ -93,7 +97,8 @@ HWY_INLINE Coefficients<N> coefficients(const Triple<N>& T, const Triple<N>& dir
           distance_sq - radius_sq};
 }
 
-/// The discriminant in two forms: the cheapest, and one without squares that cancel far away.
+/// The discriminant in two forms: b^2 - a c, which is cheap, and a r^2 - |m|^2, whose terms do not
+/// cancel for far spheres.
 template <class N>
 HWY_INLINE N near_discriminant(const N& a, const N& b, const N& c) {
   return mul_sub(b, b, a * c);
@@ -105,14 +110,14 @@ HWY_INLINE N far_discriminant(const Triple<N>& T, const Triple<N>& direction, co
   return mul_sub(a, radius_sq, fused_dot(moment, moment));
 }
 
-/// The first root.
+/// A first value of the root.
 template <class N>
 struct First {
   N s0;
   N per_slope;  ///< 1 over the slope of |T - s d|^2 at the root.
 };
 
-/// The class where it is certain, and the root of a hit.
+/// The class, valid only if it is certain, and the root of a hit.
 template <class N>
 struct Guess {
   MaskOf<N> hit;
@@ -120,7 +125,7 @@ struct Guess {
   First<N> root;
 };
 
-/// Whether disc has a certain sign: kNearShare or kFarShare of a f^2 is required.
+/// Whether the sign of disc is certain. `share` is kNearShare or kFarShare.
 template <class N>
 HWY_INLINE MaskOf<N> has_sign(N discriminant, N a, N distance_sq, const Ball<N>& ball,
                               double share) {
@@ -147,7 +152,7 @@ HWY_INLINE Guess<N> guess(const RayOf<N>& ray, const Ball<N>& ball, scene::Root 
   const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
   const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
   if (!any(hit)) return {hit, certain, {}};
-  // One division for two, beside the square root.
+  // One division gives both quotients, and runs in parallel with the square root.
   const N inverse = N(1) / (a * discriminant);
   const N root_of = square_root(discriminant);
   const N half_slope = select(outside, -root_of, root_of);

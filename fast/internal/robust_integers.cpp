@@ -18,8 +18,8 @@ class Integer {
   Integer& operator=(const Integer&) = delete;
   ~Integer() { mpz_clear(value_); }
 
-  operator mpz_ptr() { return value_; }           // NOLINT: to be passed to GMP
-  operator mpz_srcptr() const { return value_; }  // NOLINT: likewise
+  operator mpz_ptr() { return value_; }           // NOLINT: for calls of GMP
+  operator mpz_srcptr() const { return value_; }  // NOLINT: for calls of GMP
   int sign() const { return mpz_sgn(value_); }
   long bits() const { return static_cast<long>(mpz_sizeinbase(value_, 2)); }
 
@@ -27,7 +27,7 @@ class Integer {
   mpz_t value_;
 };
 
-/// Numbers that keep their memory between rays.
+/// Integers whose memory is kept between rays.
 struct Scratch {
   std::array<Integer, 3> origin, direction, to_centre;
   Integer radius, a, b, c, discriminant, root, rest, numerator, denominator, parameter, point;
@@ -40,7 +40,7 @@ struct Dyadic {
 };
 constexpr int kNoExponent = 10000;
 
-/// A finite x with an odd significand.
+/// A finite x as a Dyadic with an odd significand.
 Dyadic dyadic(double x) {
   if (x == 0) return {0, kNoExponent};
   int exponent = 0;
@@ -49,7 +49,8 @@ Dyadic dyadic(double x) {
   return {significand >> zeros, exponent - 53 + zeros};
 }
 
-/// Sets integers to values over 2^(the least of their exponents), and returns that exponent.
+/// Divides the values by 2^e, e the least of their exponents, and sets the integers to the
+/// quotients. Returns e.
 template <std::size_t kCount>
 int set(const std::array<Integer*, kCount>& integers, const std::array<double, kCount>& values) {
   std::array<Dyadic, kCount> numbers;
@@ -103,12 +104,13 @@ void set_coefficients(Scratch& n) {
   }
 }
 
-/// Bits of square roots and quotients, at least.
+/// Square roots and quotients have at least this many bits.
 constexpr long kBits = 128;
 
-/// numerator / denominator = the root that counts, where disc >= 0; true when it is exact.
+/// Sets numerator / denominator to the root that counts; returns whether it is exact. Domain: disc
+/// >= 0.
 bool set_fraction(Scratch& n) {
-  // sqrt(disc) 2^shift, of at least kBits, rounded down.
+  // The root is sqrt(disc) 2^shift rounded down, and has at least kBits bits.
   const long shift = std::max(0L, kBits + 1 - n.discriminant.bits() / 2);
   mpz_mul_2exp(n.discriminant, n.discriminant, static_cast<mp_bitcnt_t>(2 * shift));
   mpz_sqrtrem(n.root, n.rest, n.discriminant);

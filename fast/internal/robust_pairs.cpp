@@ -10,33 +10,34 @@ namespace raycheck::fast {
 namespace {
 
 // After scaling, max(|T_i|, r) and max |d_i| lie in [1, 2), so that f^2 + r^2 < 16, a < 12 and f
-// |d| < 12. Anything that then underflows is below 2^-1000 and negligible.
+// |d| < 12. Values that then underflow are below 2^-1000 and negligible.
 //
-// b, c and disc are sums in which every term passes at most 8 operations, each off by at most
-// kDoubleDoubleError = 2^-102 of its result, and the sizes of the terms add up to at most f |d|,
-// f^2 + r^2 and 2 a (f^2 + r^2): they are off by at most 2^-99 of the first two, and by 2^-98 a
-// (f^2 + r^2). Signs are certain beyond twice these bounds.
+// b, c and disc are sums. Every term passes at most 8 operations, each off by at most
+// kDoubleDoubleError = 2^-102 of its result. The sizes of the terms add up to at most f |d| for b,
+// f^2 + r^2 for c and 2 a (f^2 + r^2) for disc. Therefore b is off by at most 2^-99 f |d|, c by
+// 2^-99 (f^2 + r^2), disc by 2^-98 a (f^2 + r^2). Signs are certain beyond twice these bounds.
 constexpr double kPairMargin = 0x1p-97;
 
-/// s = |c|/q or q/a is precise when its parts are off by at most this; with the operations left and
-/// the rounding to double that makes 0.6 ulp at most, or 0.8 where s is subnormal and so rounded
-/// twice.
+/// s = |c|/q or q/a is precise if its parts are off by at most this share. With the remaining
+/// operations and the rounding to double, s is then off by at most 0.6 ulp; by 0.8 ulp if it is
+/// subnormal and therefore rounded twice.
 constexpr double kPreciseShare = 0x1p-58;
-/// c is precise enough for s where |c| is beyond this share of f^2 + r^2.
+/// c is precise enough for s if |c| is above this share of f^2 + r^2.
 constexpr double kPreciseC = kPairMargin / kPreciseShare;
 
-/// For the sum of 17 terms below, whose magnitudes add up to f^2 + r^2: a pass leaves errors of at
-/// most 16 u times the magnitudes it began with, so two leave 2^-49 of the sum and 2^-97 (f^2 +
-/// r^2), of which the last, plain summation loses 2^-49 again: 2^-98 of the sum and 2^-146 (f^2 +
-/// r^2). (Ogita, Rump and Oishi, Accurate sum and dot product, 2005, on their SumK.)
+/// For long_sum_c(), a sum of 17 terms whose magnitudes add up to f^2 + r^2. A pass leaves errors
+/// of at most 16 u times the magnitudes before it. Two passes leave 2^-49 of the sum and 2^-97 (f^2
+/// + r^2); the plain summation at the end loses 2^-49 of these. Together the sum is off by 2^-98 of
+/// itself and 2^-146 (f^2 + r^2). (Ogita, Rump and Oishi, Accurate sum and dot product, 2005:
+/// SumK.)
 constexpr double kLongSumMargin = 0x1p-142;
 constexpr double kPreciseLongSum = kLongSumMargin / kPreciseShare;
 
 using Eigen::Vector3d;
 using Pair3 = Eigen::Matrix<DoubleDouble, 3, 1>;
 
-/// c from exact products, in two passes of error-free sums: for origins so near the surface that
-/// pairs of doubles lose too much.
+/// c from exact products, in two passes of error-free sums. Needed if the origin is so near the
+/// surface that pairs of doubles lose too many digits.
 DoubleDouble long_sum_c(const Pair3& to_centre, double radius) {
   std::array<double, 17> terms;
   std::size_t count = 0;
@@ -124,7 +125,7 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
   const bool outside = c.high > 0;
   if (!outside && root == scene::Root::kSmaller) return miss;
   const DoubleDouble b = T.dot(d);
-  // Holds even where b's sign is uncertain: then b^2 < (12 2^-98)^2 < a c, so disc < 0.
+  // Right even if the sign of b is uncertain: then b^2 < (12 2^-98)^2 < a c, so disc < 0.
   if (outside && b.high < 0) return miss;
   const DoubleDouble a = d.dot(d);
   const Pair3 moment = T.cross(d);
@@ -135,8 +136,8 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
 
   const DoubleDouble discriminant_root = sqrt(discriminant);
   const DoubleDouble q = absolute(b) + discriminant_root;
-  // disc's error, through the square root, as a share of q. It bounds q from below by 2^-20, so
-  // that b's error is within the share too.
+  // The error of disc, through the square root, must be within the share of q. Then q > 2^-20, so
+  // that the error of b is within the share, too.
   if (!(margin < kPreciseShare * (discriminant_root.high * q.high))) return std::nullopt;
   const bool through_c = outside || b.high < 0;
   if (through_c && !c_is_precise) return std::nullopt;

@@ -1,4 +1,4 @@
-// Points and vectors in any type of number. Internal to fast/. Compiled once for each of Highway's
+// Points and vectors of any number type. Internal to fast/. Compiled once for each of Highway's
 // targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_TRIPLE_H_) == defined(HWY_TARGET_TOGGLE)
@@ -18,13 +18,12 @@ struct Triple {
   N x, y, z;
 };
 
-/// The triple of a point or vector of scene/.
 template <class N, class Plain>
 HWY_INLINE Triple<N> triple(const Plain& value) {
   return {N(value.x), N(value.y), N(value.z)};
 }
 
-/// Loads and stores: one array per coordinate.
+/// Loads from and stores to one array per coordinate.
 HWY_INLINE Triple<Lanes> load(const double* const (&from)[3], std::size_t k) {
   return {load(from[0] + k), load(from[1] + k), load(from[2] + k)};
 }
@@ -55,7 +54,6 @@ template <class N>
 HWY_INLINE N dot(const Triple<N>& a, const Triple<N>& b) {
   return a.x * b.x + (a.y * b.y + a.z * b.z);
 }
-/// The same by mul_add.
 template <class N>
 HWY_INLINE N fused_dot(const Triple<N>& a, const Triple<N>& b) {
   return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));

@@ -9,15 +9,15 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-/// x.y - z.w, a component of a cross product whose first factors are pairs.
+/// x y - z w, a component of a cross product. x and z are pairs of doubles.
 template <class N>
 N determinant(const Rounded<N>& x, N y, const Rounded<N>& z, N w) {
   return difference_of_products(x.x, y, z.x, w) + (x.error * y - z.error * w);
 }
 
-/// `cross` with T = C - o as an exact pair, and c = |T|^2 - r^2 as a compensated sum (Ogita, Rump
-/// and Oishi, Accurate sum and dot product, 2005), so that neither the rounding of T nor an origin
-/// near the surface costs digits.
+/// `cross` with T = C - o as exact pairs and c = |T|^2 - r^2 as a compensated sum (Ogita, Rump and
+/// Oishi, Accurate sum and dot product, 2005). No digits are lost by rounding T or near the
+/// surface.
 template <class N>
 struct Cross2 {
   using Number = N;
@@ -59,7 +59,7 @@ namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(Cross2)
 RAYCHECK_ONE_BY_BEST(Cross2)
 
-/// `cross` with T as an exact pair and c = |T|^2 - r^2 compensated.
+/// `cross` with T as exact pairs and c = |T|^2 - r^2 as a compensated sum.
 const IntersectMethod kCross2 = {
     .name = "cross2",
     .sentence = "cross, with C - o as an exact pair and a compensated c",

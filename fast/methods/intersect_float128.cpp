@@ -7,9 +7,9 @@ __extension__ typedef __float128 Float128;
 
 }  // namespace
 
-/// One Newton step takes 64 bits to all but the last of 113. The type's own square root is in
-/// libquadmath, whose header only one of the compilers finds; the compilers provide the rest of the
-/// arithmetic.
+/// One Newton step improves a square root of 64 bits to 112 of 113 correct bits. The compilers
+/// provide all arithmetic of the type but the square root. That of libquadmath is not used, since
+/// only one of the compilers finds its header.
 template <>
 Float128 scene::square_root(const Float128& x) {
   if (!(x > 0)) return static_cast<Float128>(std::sqrt(static_cast<long double>(x)));
@@ -19,7 +19,7 @@ Float128 scene::square_root(const Float128& x) {
 
 namespace fast {
 
-/// `double-double` in 113 bits by software; lengths are in kWideDomain.
+/// The formula of `double-double` in 113 bits, by software. Domain: kWideDomain.
 const IntersectMethod kFloat128 = {
     .name = "float128",
     .sentence = "disc = a r^2 - |T x d|^2 and roots by q, in 113 bits (software)",

@@ -9,8 +9,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-/// Kahan, On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic (2004): the
-/// discriminant of the rounded coefficients to a few ulp. The errors of b and c remain.
+/// The discriminant of the rounded coefficients to a few ulp (Kahan, On the Cost of Floating-Point
+/// Computation Without Extra-Precise Arithmetic, 2004). The errors of b and c remain.
 template <class N>
 struct Kahan {
   using Number = N;
@@ -32,7 +32,7 @@ namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(Kahan)
 RAYCHECK_ONE_BY_BEST(Kahan)
 
-/// The coefficients of `quadratic`, the discriminant by Kahan's difference of products.
+/// Like `quadratic`, but the discriminant is Kahan's difference of products.
 const IntersectMethod kKahan = {
     .name = "kahan",
     .sentence = "the textbook's a, b, c; disc = b^2 - ac by Kahan's products, roots by q",

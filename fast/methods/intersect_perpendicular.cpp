@@ -8,9 +8,9 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-/// Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems (2019),
-/// after Hearn and Baker: the distance from the centre to the line, instead of a difference of two
-/// large squares.
+/// Uses the distance from the centre to the line instead of a difference of two large squares
+/// (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019,
+/// after Hearn and Baker).
 template <class N>
 struct Perpendicular {
   using Number = N;

@@ -14,44 +14,47 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-// The first step: robust_guess.h, then one Newton step from a residual in multiples of powers of 2.
+// The first step of `robust`: robust_guess.h, then one Newton step. Its residual is computed in
+// multiples of powers of 2.
 //
-// Let h = sqrt(disc), t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99 (2^-13 + 2^-31 x^2), and
-// t > 0.99 (2^-13 + 2^-28 x^2) where disc comes from b^2 - a c. On a hit |m| <= |d| r, hence f|d|
-// <= |b| + |d| r <= q/sqrt(t), and f|d| <= 1.16 q where x > 2;
-//   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc       near, by b^2 - a c,
-//                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2   far, by |m|^2,
-// moves h by (9.5x + 5)u q/t near, (11x + 3)u q/sqrt(t) where x > 2, and 8.8u q/t far (the last
-// term is negligible, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), later steps by 9.5u q at
-// most: s0 by E q/a in all, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, (11x +
-// 17)u/sqrt(t) where x > 2, and 24u/t far.
+// The first value s0. Let h = sqrt(disc), t = disc/(a r^2) <= 1 and x = f/r. "Near" means that disc
+// is computed as b^2 - a c, "far" that it is computed with |m|^2. By the margins, t > 0.99 (2^-13 +
+// 2^-31 x^2), and near, t > 0.99 (2^-13 + 2^-28 x^2). On a hit |m| <= |d| r, hence f|d| <= |b| +
+// |d| r <= q/sqrt(t), and f|d| <= 1.16 q if x > 2. The error of disc is
+//   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc              near,
+//                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2    far.
+// It moves h by (9.5x + 5)u q/t near, or (11x + 3)u q/sqrt(t) if x > 2, and by 8.8u q/t far (the
+// last term is negligible, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), and later steps by at
+// most 9.5u q. Together s0 is off by E q/a, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, or
+// (11x + 17)u/sqrt(t) if x > 2, and 24u/t far.
 //
-// Newton's step leaves (E q/a)^2 a/(2h). As a share of s that is E^2 where s = q/a, which counts
-// only where c < 0 and hence q <= 2h; and with y = a|c|/h^2 = |x^2 - 1|/t, where s = |c|/q,
-//   (E^2/2) (1 + sqrt(1 + y))^3/y      with c > 0, else (E^2/2) 8/y:
-//   far, y > 2^10: 0.55 (24u)^2 x/t^2.5 <= 2^-57.9, as t^2.5 > 2^-39.8 x
-//   near, x > 32: 0.55 (11.6x)^2 u^2 x/t^1.5 <= 2^-57.7; else below 2^-59 where y > 1
-//   y < 1: 4E^2/y <= 2^-57.3, as x^2 is 2^-26 from 1 and E <= 14.6u/t where t is least.
-// 1/(2h) stands for its exact value: off by (9.5x^2 + 5)u/t + 6u of itself near and (4.3x + 11)u/t
-// far, which times the error of s0 is 2^-57.1 of s near, where x > 32, 2^-65 far, and 2^-57.3 where
-// y < 1.
+// Newton's step leaves an error of (E q/a)^2 a/(2h). If s = q/a, which counts only if c < 0 and
+// hence q <= 2h, this is at most E^2 s. If s = |c|/q, let y = a|c|/h^2 = |x^2 - 1|/t; as a share of
+// s, the error is (E^2/2) (1 + sqrt(1 + y))^3/y if c > 0, else (E^2/2) 8/y. Its bounds are:
+//   far, y > 2^10: 0.55 (24u)^2 x/t^2.5 <= 2^-57.9, as t^2.5 > 2^-39.8 x;
+//   near, x > 32: 0.55 (11.6x)^2 u^2 x/t^1.5 <= 2^-57.7; otherwise below 2^-59 if y > 1;
+//   y < 1: 4E^2/y <= 2^-57.3, as |x^2 - 1| >= 2^-26, and E <= 14.6u/t at the least t.
+// The computed 1/(2h) is off by a share of (9.5x^2 + 5)u/t + 6u near and (4.3x + 11)u/t far. This
+// times the error of s0 is 2^-57.1 of s near, if x > 32, 2^-65 far, and 2^-57.3 if y < 1.
 //
-// The residual |L + s0 d - C|^2 - r^2. Let S be a power of 2 from 2M to 4M, and o' be o rounded by
-// adding S, off by at most u(|o| + S); so is (s0 d)', off by u(2|s0 d| + S), as it may be rounded
-// twice. Both are multiples of 2^-53 S. So L' + (s0 d)' is exact, as it is less than 1.1M, and so
-// is w, its difference to C', as |w| <= 1.01 r. v, the sum of the parts rounded off, is at most V =
-// u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by the margin of f^2 - r^2), and off by
-// 2.7u V per coordinate. The squares of w are split by 4r^2 alike: the high parts add up exactly.
-// v's errors cost 9.45u V r; the product (2w + v) v, the low parts and their sums cost kRobustLow u
-// V r more. Their sum over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <= 2^-60.3, as
-// s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by the margin of f^2 - r^2, and
-// 150u^2 f r/(2 s h) <= 2^-63.6.
+// The residual |L + s0 d - C|^2 - r^2. Let S be a power of 2 from 2M to 4M. L' is L rounded by
+// adding S, off by at most u(|L| + S). (s0 d)' is rounded in the same way, but perhaps twice, and
+// off by at most u(2|s0 d| + S). Both are multiples of 2^-53 S. L' + (s0 d)' is exact, as it is
+// less than 1.1M. So is w, its difference to C', as |w| <= 1.01 r. v, the sum of the parts rounded
+// off, is at most V = u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by the margin of f^2
+// - r^2), and off by 2.7u V per coordinate. The squares of w are split in the same way by 4r^2, and
+// their high parts add up exactly. v's errors cost 9.45u V r; the product (2w + v) v, the low parts
+// and their sums cost kRobustLow u V r more. The sum of these, divided by 2 s h, is the error as a
+// share of s. Its parts are 800u^2 M r/(2 s h) <= 2^-60.3, as s h >= |f - r| max(2^-6.6 r, 2^-15.6
+// f) > 2^-37 M r by the margin of f^2 - r^2, and 150u^2 f r/(2 s h) <= 2^-63.6.
 //
-// All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
-// made from L' + (s0 d)', the rest and the correction of s, and rounded once.
+// Together s is off by less than 2^-56.1 of itself before it is rounded, and by 0.62 ulp
+// afterwards. Q = L + s d is made from L' + (s0 d)', the rest and the correction of s, and rounded
+// once.
 
-/// Whether Newton's step leaves an error below 2^-57 of s beside the surface, near and far, at the
-/// worst x that the margins allow; squared, to avoid roots.
+/// Whether Newton's step leaves an error below 2^-57 of s in each of three cases (beside the
+/// surface, near and far), for the worst x that the margins allow. Both sides are squared, to avoid
+/// roots.
 constexpr bool leaves_little() {
   using Required = Margins<double>;
   constexpr double kUnit = 0x1p-53, kMost = 0x1p-57;
@@ -65,7 +68,7 @@ constexpr bool leaves_little() {
              kMost * kMost * 12.2 * Required::kFarShare * kDisc * kDisc * kDisc * kDisc;
 }
 static_assert(leaves_little());
-// The residual's 800u^2 and 150u^2, and that the rests of squares are within 0.32 V r.
+// Checks the residual's 800u^2 and 150u^2, and that the rests of squares are below 0.32 V r.
 static_assert(16 * (9.45 + kRobustLow) <= 800 && 3 * (9.45 + kRobustLow) <= 150 &&
               5.1 <= 0.32 * 16);
 
@@ -77,13 +80,13 @@ HWY_INLINE N first_bit(const N& x) {
   return much - N(1 - 0x1p-53) * much;
 }
 
-/// Each coordinate to a multiple of 2^-53 scale.
+/// Each coordinate rounded to a multiple of 2^-53 scale.
 template <class N>
 HWY_INLINE Triple<N> coarse_triple(const Triple<N>& x, const N& scale) {
   return {coarse(x.x, scale), coarse(x.y, scale), coarse(x.z, scale)};
 }
 
-/// With the centre and the square of the radius as the residual takes them.
+/// A Ball with the coarse parts and the rests of the centre and of r^2, for the residual.
 template <class N>
 struct Target : Ball<N> {
   HWY_INLINE explicit Target(const SphereOf<N>& sphere)
@@ -96,12 +99,12 @@ struct Target : Ball<N> {
         end_rest(product_rest(sphere.radius, sphere.radius, end)) {}
 
   N scale;              ///< S.
-  Triple<N> high, low;  ///< Of the centre.
+  Triple<N> high, low;  ///< The coarse part of the centre, and the rest.
   N base;
-  N end, end_rest;  ///< r^2.
+  N end, end_rest;  ///< The coarse part of r^2, and the rest.
 };
 
-/// Newton's step from s0, and the point there.
+/// The hit after a Newton step from s0.
 template <class N>
 HWY_INLINE ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const First<N>& root) {
   const auto& [origin, direction] = ray;
@@ -140,8 +143,9 @@ bool any_hit(const std::uint8_t* codes) {
 constexpr std::size_t kBlock = 128;
 static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
 
-/// A BatchKernel for multiples of kLaneCount. Two passes over data that fits the L1 cache: one
-/// vector's chain of operations is too long for the next to start before it ends.
+/// A BatchKernel for multiples of kLaneCount. It makes two passes over data that fits the L1 cache,
+/// since the operations of one vector, in one pass, would be too many for the processor to overlap
+/// with the next vector.
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchInput& input, const HitArrays& answers) {
   const BatchInput asked = input;
   const HitArrays to = answers;
@@ -172,7 +176,7 @@ bool robust_batch(const BatchInput& input, const HitArrays& answers) {
   return answer_batch(answer_whole, input, answers);
 }
 
-/// The first step's answer to one ray; empty where it is not certain.
+/// The first step's answer to one ray; empty if it is not certain.
 [[gnu::flatten]] std::optional<Chosen> robust_one(const scene::Ray& ray,
                                                   const scene::Sphere& sphere,
                                                   scene::HitRule rule) {
@@ -225,11 +229,13 @@ std::optional<Hit> one_by_robust(const scene::Ray& ray, const scene::Sphere& sph
 
 }  // namespace
 
-/// The class is exact and s within max_ulp on every valid input, also where s is subnormal; it
-/// overflows to infinity as IEEE-754. kWideDomain is where Q's relative error means something.
+/// On every valid input the class is exact and s is within max_ulp, even if s is subnormal. s
+/// overflows to infinity as IEEE-754 says. kWideDomain limits only the promise for Q.
 const IntersectMethod kRobust = {
     .name = "robust",
-    .sentence = "a root corrected once by a residual in parts where proven; else pairs, integers",
+    .sentence =
+        "a root with one proved correction; where no proof applies, pairs of doubles, then "
+        "integers",
     .intersect = intersect_by_robust,
     .intersect_one = one_by_robust,
     .max_ulp = 1,

@@ -2,7 +2,7 @@
 
 namespace raycheck::fast {
 
-/// `lecture` in single precision; lengths are in kSingleDomain.
+/// `lecture` in single precision. Domain: kSingleDomain.
 const IntersectMethod kSingleLecture = {
     .name = "single-lecture",
     .sentence = "lecture, everything in single precision",

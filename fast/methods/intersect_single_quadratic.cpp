@@ -2,7 +2,7 @@
 
 namespace raycheck::fast {
 
-/// `quadratic` in single precision; lengths are in kSingleDomain.
+/// `quadratic` in single precision. Domain: kSingleDomain.
 const IntersectMethod kSingleQuadratic = {
     .name = "single-quadratic",
     .sentence = "quadratic, everything in single precision",

@@ -27,7 +27,7 @@ HWY_AFTER_NAMESPACE();
 namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(StableQuadratic)
 
-/// The coefficients of `quadratic`, roots by q = b + sign(b) sqrt(disc).
+/// The coefficients of `quadratic`; roots by q = b + sign(b) sqrt(disc).
 const IntersectMethod kStableQuadratic = {
     .name = "stable-quadratic",
     .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",

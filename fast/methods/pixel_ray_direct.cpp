@@ -7,7 +7,8 @@ struct Direct : PixelPlane {
   using PixelPlane::PixelPlane;
 
   PixelTrace<Eigen::Vector3d> trace(const scene::Pixel& pixel) const {
-    // In place: a copy of g would be stored by coordinates and loaded in pairs, which stalls.
+    // Computed in place: a copy of g would be stored by coordinates and loaded in pairs, which
+    // stalls.
     PixelTrace<Eigen::Vector3d> trace;
     trace.along = camera.near * W + alpha(pixel) * U + beta(pixel) * V;
     trace.point = E + trace.along;

@@ -16,7 +16,7 @@ void focal_rays(const scene::Camera& camera, const scene::Conventions& conventio
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     const double alpha = plane.alpha(pixels[k]);
     const double beta = plane.beta(pixels[k]);
-    // The axes are orthonormal, so the length needs none of them.
+    // The axes are orthonormal, so that the length does not depend on them.
     const double length = std::sqrt(near_sq + alpha * alpha + beta * beta);
     store(out.direction, k, (to_plane + alpha * plane.U + beta * plane.V) / length);
   }
@@ -24,8 +24,8 @@ void focal_rays(const scene::Camera& camera, const scene::Conventions& conventio
 
 }  // namespace
 
-/// Rays from E only, with everything that pixels share computed once per scene. It assumes
-/// orthonormal axes, and its bound on |D| allows for that.
+/// Rays from E only; terms that all pixels share are computed once. It assumes orthonormal axes;
+/// its bound on |D| allows for their defects.
 const PixelRayMethod kFocalRays = {
     .name = "focal",
     .sentence = "rays from E; nW and n^2 once per scene, |g| from n, alpha, beta",

@@ -3,12 +3,12 @@
 namespace raycheck::fast {
 namespace {
 
-/// The number of steps along a row before it restarts by multiplication, as in a tiled renderer.
-/// A pixel's answer then depends only on its column, not on which pixels are requested; a batch in
+/// The number of steps along a row before g is computed by multiplication again, as in a tiled
+/// renderer. So the answer for a pixel does not depend on which pixels are requested. A batch in
 /// row order costs one addition per pixel.
 constexpr std::int64_t kIncrementalTile = 64;
 
-/// E to P for successive pixels: adds du along a row, restarting at each tile's first column.
+/// P - E for successive pixels: adds du along a row, and restarts at the first column of each tile.
 class Incremental : PixelPlane {
  public:
   Incremental(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
@@ -34,13 +34,13 @@ class Incremental : PixelPlane {
  private:
   Eigen::Vector3d step_;
   Eigen::Vector3d to_pixel_ = Eigen::Vector3d::Zero();
-  scene::Pixel now_{-2, -1};  // next to no pixel
+  scene::Pixel now_{-2, -1};  // not adjacent to a pixel
 };
 
 }  // namespace
 
-/// `direct` with g stepped along a row by du = (right - left)/(w-1) U, at most kIncrementalTile
-/// times, which the bounds allow for.
+/// `direct`, but g is increased by du = (right - left)/(w-1) U along a row, at most
+/// kIncrementalTile times. The bounds allow for these steps.
 const PixelRayMethod kIncrementalRays = {
     .name = "incremental",
     .sentence = "g += du along a row, restarted every 64 pixels; D from g, P = E + g",
@@ -50,7 +50,7 @@ const PixelRayMethod kIncrementalRays = {
     .max_point_ulp = 256,
     .max_direction_ulp = 256,
     .max_unit_defect_ulp = 4,
-    .not_kept = "the last column at `right` to the bit, bounds far wider than near",
+    .not_kept = "the last column, which may miss `right` by roundings; bounds far wider than near",
 };
 
 }  // namespace raycheck::fast

@@ -14,7 +14,7 @@ struct Lecture : PixelPlane {
 
 }  // namespace
 
-/// Literally P = E + n W + alpha U + beta V, then D = (P - E)/|P - E|, which cancels where |E| is
+/// Literally P = E + n W + alpha U + beta V, then D = (P - E)/|P - E|. P - E cancels if |E| is
 /// large.
 const PixelRayMethod kLectureRays = {
     .name = "lecture",

@@ -10,7 +10,6 @@ Vector3f single(const Triple& value) {
   return eigen(value).template cast<float>();
 }
 
-/// The axes, alpha and beta, all in floats.
 class Single {
  public:
   Single(const scene::Camera& camera, const scene::Conventions& conventions)
@@ -53,7 +52,7 @@ class Single {
 
 }  // namespace
 
-/// `direct` in single precision, axes included; lengths are in kSingleDomain.
+/// `direct` in single precision, also for the axes. Domain: kSingleDomain.
 const PixelRayMethod kSingleRays = {
     .name = "single",
     .sentence = "direct, everything in single precision",

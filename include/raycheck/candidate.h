@@ -1,9 +1,10 @@
 #ifndef RAYCHECK_CANDIDATE_H_
 #define RAYCHECK_CANDIDATE_H_
 
-/* What a shared library offers so that raycheck can judge it (`--candidate library:PATH.so`): one
-   function, raycheck_candidate_functions(), that returns a struct raycheck_candidate. Every
-   function in it may be null: it is then not judged. In C++ <raycheck/candidate.hpp> is shorter.
+/* The interface of a shared library that raycheck judges (`--candidate library:PATH.so`). The
+   library exports raycheck_candidate_functions(), which returns a struct raycheck_candidate.
+   Functions of the struct that are null are not judged. In C++, <raycheck/candidate.hpp> is
+   shorter.
 
    Conventions. A camera looks along -W, W = (eye - look_at)/|eye - look_at|, U = up x W normalised,
    V = W x U. The image plane is at the signed position `near` along W (negative in front of the
@@ -51,13 +52,13 @@ typedef struct raycheck_sphere {
 } raycheck_sphere;
 
 typedef struct raycheck_hit {
-  int32_t hit;           /* 0: a miss; the rest is ignored */
+  int32_t hit;           /* 0: a miss; the other members are ignored */
   double parameter;      /* s >= 0 */
   raycheck_vector point; /* origin + s direction */
 } raycheck_hit;
 
-/* What a scene asks for, or a candidate declares. AS_ASKED is for declarations: the candidate
-   follows the scene. */
+/* The conventions that a scene asks for or a candidate declares. A candidate that declares
+   AS_ASKED follows the scene. */
 enum { RAYCHECK_AS_ASKED = 0 };
 enum { RAYCHECK_ROWS_BOTTOM_FIRST = 1, RAYCHECK_ROWS_TOP_FIRST = 2 }; /* which row is j = 0 */
 enum { RAYCHECK_SAMPLES_EDGES = 1, RAYCHECK_SAMPLES_CENTRES = 2 };    /* i/(w-1), (i+1/2)/w */
@@ -69,8 +70,9 @@ typedef struct raycheck_conventions {
   int32_t rows, samples, origin, root, tangent;
 } raycheck_conventions;
 
-/* How hard the random cases are on which `raycheck properties` holds the candidate to the laws:
-   those that careful code in doubles gets right, those that need a stable method, or all. */
+/* The difficulty of the random cases by which `raycheck properties` judges the candidate. Careful
+   code in doubles gets ordinary cases right; demanding cases need a stable method; extreme cases
+   include all that doubles can express. */
 enum {
   RAYCHECK_LEVEL_UNSTATED = 0, /* ordinary */
   RAYCHECK_LEVEL_ORDINARY = 1,
@@ -78,9 +80,10 @@ enum {
   RAYCHECK_LEVEL_EXTREME = 3
 };
 
-/* Which roots count: those between t_min (-INFINITY: lines, not rays) and t_max (INFINITY: no upper
-   end) that are not culled. t_min and t_max are values of s, radii of the sphere or scene lengths
-   along the ray. All zero and t_max = INFINITY: every root >= 0. */
+/* The roots that count: those from t_min (-INFINITY: a line is intersected, not a ray) to t_max
+   (INFINITY: no upper end) that are not culled. t_min and t_max are values of s, radii of the
+   sphere or scene lengths along the ray. If t_max = INFINITY and all other members are 0, every
+   root >= 0 counts. */
 enum {
   RAYCHECK_ENDS_CLOSED = 0,
   RAYCHECK_ENDS_OPEN_MAX = 1,
@@ -108,15 +111,15 @@ static inline const raycheck_valid_roots* raycheck_valid_roots_of(
 enum { RAYCHECK_ROOTS_USUAL = 0, RAYCHECK_ROOTS_DECLARED = 1, RAYCHECK_ROOTS_AS_ASKED = 2 };
 
 /* The format that the candidate computes in. In single precision all inputs are floats, passed as
-   doubles, and errors count u and ulp of float. */
+   doubles, and errors are counted in u and ulp of float. */
 enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
 
-/* Which directions it accepts; unit: it is called only with directions of length 1, up to rounding.
- */
+/* The directions that the candidate accepts. UNIT: it is called only with directions of length 1,
+   up to rounding. */
 enum { RAYCHECK_DIRECTIONS_ANY = 0, RAYCHECK_DIRECTIONS_UNIT = 1 };
 
-/* What it returns for a hit: s and Q; s; Q; the distance of Q along the ray in scene lengths, or
-   its square, as `parameter`; or only that there is a hit. */
+/* What the candidate returns for a hit: s and Q; s; Q; as `parameter`, the distance of Q along the
+   ray in scene lengths or the square of this distance; or only that there is a hit. */
 enum {
   RAYCHECK_RETURNS_HIT = 0,
   RAYCHECK_RETURNS_PARAMETER = 1,
@@ -128,7 +131,7 @@ enum {
 
 typedef struct raycheck_candidate {
   uint32_t version; /* RAYCHECK_CANDIDATE_VERSION */
-  const char* name; /* of letters, digits and -_. ; null: the file's name */
+  const char* name; /* of letters, digits and -_. ; may be null */
   raycheck_conventions declared;
 
   /* The camera's axes. */
@@ -136,17 +139,17 @@ typedef struct raycheck_candidate {
   /* P, a pixel's point on the image plane. */
   raycheck_vector (*pixel_point)(const raycheck_camera*, const raycheck_conventions*,
                                  raycheck_pixel);
-  /* From P along the unit vector P - E. */
+  /* The ray from P along (P - E)/|P - E|. */
   raycheck_ray (*pixel_ray)(const raycheck_camera*, const raycheck_conventions*, raycheck_pixel);
-  /* From E along the unit vector P - E. */
+  /* The ray from E along (P - E)/|P - E|. */
   raycheck_ray (*focal_ray)(const raycheck_camera*, const raycheck_conventions*, raycheck_pixel);
   /* One ray and one sphere; directions need not be unit. */
   raycheck_hit (*intersect)(const raycheck_ray*, const raycheck_sphere*,
                             const raycheck_conventions*);
-  /* `count` rays and one sphere: hits[k] is for rays[k]. Called instead of `intersect`. */
+  /* `count` rays and one sphere: hits[k] is for rays[k]. If set, called instead of `intersect`. */
   void (*intersect_batch)(const raycheck_ray* rays, size_t count, const raycheck_sphere*,
                           const raycheck_conventions*, raycheck_hit* hits);
-  /* The sphere with the least s, an index, or -1. */
+  /* The index of the sphere with the least s; -1 if all are missed. */
   int64_t (*nearest)(const raycheck_ray*, const raycheck_sphere* spheres, size_t count,
                      const raycheck_conventions*);
 
@@ -157,8 +160,8 @@ typedef struct raycheck_candidate {
 
   /* From version 3 on. */
   int32_t precision;
-  int32_t roots;                       /* RAYCHECK_ROOTS_...; usual: every root >= 0 counts */
-  raycheck_valid_roots declared_roots; /* of RAYCHECK_ROOTS_DECLARED */
+  int32_t roots;                       /* RAYCHECK_ROOTS_...; USUAL: every root >= 0 counts */
+  raycheck_valid_roots declared_roots; /* used only if roots is RAYCHECK_ROOTS_DECLARED */
 
   /* From version 4 on. */
   int32_t directions, returns;

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_CANDIDATE_HPP_
 #define RAYCHECK_CANDIDATE_HPP_
 
-// Plain functions on plain structs as a candidate (`--candidate source:FILE.cpp`):
+// Makes a candidate of plain functions on plain structs (`--candidate source:FILE.cpp`):
 //
 //     #include <raycheck/candidate.hpp>
 //     using namespace raycheck;
@@ -12,9 +12,9 @@
 //
 //     RAYCHECK_CANDIDATE(.pixel_ray = pixel_ray, .intersect = intersect)
 //
-// <raycheck/candidate.h> says what each function must do. Declare the conventions that yours fixes:
-// RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Name members in the order of
-// Functions: designated initializers are C++20; GCC and Clang accept them in C++17, too. C++17.
+// <raycheck/candidate.h> says what each function must do. Declare the conventions that your code
+// fixes: RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Name members in the
+// order of Functions. This header needs C++17; GCC and Clang accept designated initializers there.
 
 #include <raycheck/candidate.h>
 #include <raycheck/scene.h>
@@ -26,7 +26,7 @@
 
 namespace raycheck {
 
-/// A candidate: what it declares, and its functions; null: it lacks that function.
+/// The declarations and the functions of a candidate. It lacks the functions that are null.
 struct Functions {
   const char* name = nullptr;
   Rows rows = Rows::as_asked;
@@ -44,10 +44,10 @@ struct Functions {
   Level level = Level::unstated;
   /// Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds.
   double smallest_length = 0, largest_length = 0;
-  /// For single: all inputs are floats, passed as doubles, and errors count u and ulp of float.
+  /// single: all inputs are floats, passed as doubles; errors are counted in u and ulp of float.
   Precision precision = Precision::double_;
   Roots roots = Roots::usual;
-  ValidRoots valid = {};  ///< For Roots::declared.
+  ValidRoots valid = {};  ///< Used only if roots is Roots::declared.
   Directions directions = Directions::any;
   Returns returns = Returns::hit;
   /// More declarations, in the words of `raycheck list`: "samples centres; t_min 1e-4".
@@ -131,7 +131,7 @@ inline const raycheck_candidate* offer(const Functions& given) {
 }  // namespace detail
 }  // namespace raycheck
 
-/// Makes a shared library a candidate; use once, outside any namespace.
+/// Makes a shared library a candidate. Use it once, outside any namespace.
 #define RAYCHECK_CANDIDATE(...)                                             \
   extern "C" const raycheck_candidate* raycheck_candidate_functions(void) { \
     return raycheck::detail::offer(raycheck::Functions{__VA_ARGS__});       \

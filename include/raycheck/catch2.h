@@ -1,13 +1,13 @@
 #ifndef RAYCHECK_CATCH2_H_
 #define RAYCHECK_CATCH2_H_
 
-// raycheck's laws as sections of a Catch2 test, one per law and source of cases:
+// Makes a Catch2 test of raycheck's laws, with a section for each law and source of cases:
 //
 //     #include <raycheck/catch2.h>
 //     RAYCHECK_TESTS("tracer", my_candidate());
 //
-// makes the test "tracer", tagged [raycheck], with the sections class/distance and so on. Catch2 2
-// or 3; C++17; link raycheck::catch2.
+// The test is "tracer", tagged [raycheck]; its sections are class/distance and so on. Catch2 2 or
+// 3; C++17; link raycheck::catch2.
 
 #if __has_include(<catch2/catch_test_macros.hpp>)
 #include <catch2/catch_message.hpp>
@@ -17,7 +17,7 @@
 #endif
 #include <raycheck/law_tests.h>
 
-/// The test of a raycheck::Candidate, of this name.
+/// Defines a test with this name, which judges a raycheck::Candidate.
 #define RAYCHECK_TESTS(name, candidate)                                                     \
   TEST_CASE(name, "[raycheck]") {                                                           \
     static const ::raycheck::LawTests raycheck_tests(candidate);                            \

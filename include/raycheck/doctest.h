@@ -1,19 +1,19 @@
 #ifndef RAYCHECK_DOCTEST_H_
 #define RAYCHECK_DOCTEST_H_
 
-// raycheck's laws as subcases of a doctest test, one per law and source of cases:
+// Makes a doctest test of raycheck's laws, with a subcase for each law and source of cases:
 //
 //     #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 //     #include <raycheck/doctest.h>
 //     RAYCHECK_TESTS("tracer", my_candidate());
 //
-// makes the test "tracer" with the subcases class/distance and so on. doctest 2.4; C++17; link
+// The test is "tracer"; its subcases are class/distance and so on. doctest 2.4; C++17; link
 // raycheck::doctest.
 
 #include <doctest/doctest.h>
 #include <raycheck/law_tests.h>
 
-/// The test of a raycheck::Candidate, of this name.
+/// Defines a test with this name, which judges a raycheck::Candidate.
 #define RAYCHECK_TESTS(name, candidate)                                                     \
   TEST_CASE(name) {                                                                         \
     static const ::raycheck::LawTests raycheck_tests(candidate);                            \

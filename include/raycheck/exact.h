@@ -9,9 +9,9 @@
 //     met.parameter->rounded();       // 4, correctly rounded
 //     met.parameter->ulp_error(3.9);  // the error of 3.9 in ulp
 //
-// Domain: finite doubles, nonzero directions, radii not negative, cameras with axes and pixels;
-//         otherwise functions throw std::invalid_argument naming the field.
-// Errors: none: decisions are exact, rounded values are correctly rounded, enclosures enclose.
+// Domain: finite numbers, and what the structs of scene.h require; otherwise functions throw
+//         std::invalid_argument naming the field.
+// Errors: none. Decisions are exact, rounded values correctly rounded; enclosures hold the value.
 // Thread safety: const members of one object may be called from several threads.
 
 #include <raycheck/api.h>
@@ -26,29 +26,29 @@
 namespace raycheck {
 namespace exact {
 
-/// lower <= some number <= upper.
+/// Two bounds: lower <= the number <= upper.
 struct Interval {
-  double lower = 0, upper = 0;  ///< In the number's units.
+  double lower = 0, upper = 0;  ///< In the unit of the number.
 };
 
-/// A real number that is known exactly. Copies share it. It is computed on demand.
+/// A real number that is known exactly, and computed on demand. Copies share the computed values.
 class RAYCHECK_API Number {
  public:
-  /// Correctly rounded: to nearest, ties to even; infinite beyond the doubles.
+  /// The correctly rounded number: to nearest, ties to even; infinite beyond the largest double.
   [[nodiscard]] double rounded() const;
-  /// The neighbouring doubles; both equal the number if it is a double.
+  /// The neighbouring doubles. If the number is a double, both are equal to it.
   [[nodiscard]] Interval interval() const;
-  /// Decimals with a radius, "[2.6180339887498948482 +/- 4.6e-20]", the radius at most 2^-bits of
-  /// the number. Domain: 2 <= bits <= 100,000; otherwise throws std::invalid_argument.
+  /// Decimals with a radius: "[2.6180339887498948482 +/- 4.6e-20]". The radius is at most 2^-bits
+  /// of the number. Domain: 2 <= bits <= 100,000; otherwise throws std::invalid_argument.
   [[nodiscard]] std::string enclosure(int bits) const;
   /// As SageMath prints it: "-1/5*sqrt(109) + 28/5".
   [[nodiscard]] std::string closed_form() const;
-  /// |given - this| in units of the spacing of doubles around this: an upper bound, sharp to 5
-  /// digits. Infinite if `given` is not finite, or is not 0 while this is 0.
+  /// An upper bound, sharp to 5 digits, on |given - number| divided by the spacing of doubles at
+  /// the number. Infinite if `given` is not finite, or if the number is 0 and `given` is not.
   [[nodiscard]] double ulp_error(double given) const;
-  /// Its largest relative change, per unit of change, when all doubles that it depends on undergo a
-  /// small relative change. An upper bound, too large by at most 0.1%. A coordinate has the
-  /// condition number of its vector.
+  /// The condition number: the largest (relative change of the number)/(relative change of the
+  /// inputs), for small changes of all doubles that it depends on. An upper bound, too large by at
+  /// most 0.1%. A coordinate has the condition number of its vector.
   [[nodiscard]] double condition() const;
 
   struct Impl;
@@ -59,14 +59,15 @@ class RAYCHECK_API Number {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// A point or a vector, by coordinates.
+/// The coordinates of a point or a vector.
 struct Numbers {
   Number x, y, z;  ///< Scene lengths.
   /// Each coordinate correctly rounded.
   [[nodiscard]] RAYCHECK_API Vector rounded() const;
 };
 
-/// Whether a ray misses, crosses or touches a sphere, at an s that the `root` convention allows.
+/// Whether a ray misses, crosses or touches a sphere. Roots that the conventions exclude do not
+/// count.
 enum class HitClass { miss, hit, tangent };
 /// A root of the quadratic equation for s.
 enum class WhichRoot { smaller, larger };
@@ -74,32 +75,32 @@ enum class WhichRoot { smaller, larger };
 /// How a ray meets a sphere.
 struct Intersection {
   HitClass hit_class = HitClass::miss;  ///< Exact.
-  /// Whether that counts as a hit under the `tangent` convention.
+  /// Whether hit_class counts as a hit under the `tangent` convention.
   bool is_hit = false;
-  WhichRoot root = WhichRoot::smaller;  ///< For a hit or a tangent, like the next two.
-  std::optional<Number> parameter;      ///< s, in multiples of the direction as given.
-  std::optional<Numbers> point;         ///< Q, the point of the ray at s.
+  WhichRoot root = WhichRoot::smaller;  ///< The root that is s. Without meaning for a miss.
+  std::optional<Number> parameter;  ///< s, in multiples of the given direction. Empty for a miss.
+  std::optional<Numbers> point;     ///< Q, the point of the ray at s. Empty for a miss.
 };
 
 /// The sphere that a ray meets first.
 struct Nearest {
-  std::size_t index = 0;          ///< The first in the list of those in `ties`.
+  std::size_t index = 0;          ///< The sphere's index: the smallest in `ties`.
   std::vector<std::size_t> ties;  ///< All spheres met at exactly this s, `index` included.
-  Intersection intersection;      ///< With that sphere.
+  Intersection intersection;      ///< How the ray meets sphere `index`.
 };
 
-/// A ray, given or made from a camera's pixel.
+/// A ray that is given, or made from a camera's pixel.
 class RAYCHECK_API Ray {
  public:
   /// A given ray. Domain: finite, nonzero direction; otherwise throws std::invalid_argument.
   explicit Ray(const raycheck::Ray& ray);
 
-  [[nodiscard]] Numbers origin() const;     ///< Where it starts.
-  [[nodiscard]] Numbers direction() const;  ///< Of length 1.
+  [[nodiscard]] Numbers origin() const;     ///< The point where it starts.
+  [[nodiscard]] Numbers direction() const;  ///< Its direction, of length 1.
   /// How it meets a sphere. Domain: a finite sphere of radius >= 0; otherwise throws
   /// std::invalid_argument naming the field.
   [[nodiscard]] Intersection hit(const Sphere& sphere, const Conventions& conventions = {}) const;
-  /// The sphere that it meets first; empty if it meets none. Errors: as hit().
+  /// The sphere that it meets first; empty if it misses all. Throws as hit() does.
   [[nodiscard]] std::optional<Nearest> nearest(const std::vector<Sphere>& spheres,
                                                const Conventions& conventions = {}) const;
 
@@ -119,7 +120,7 @@ struct Axes {
 /// A camera, known exactly.
 class RAYCHECK_API Camera {
  public:
-  /// Domain: finite numbers, axes, an image plane and pixels; otherwise throws
+  /// Domain: finite numbers, and what raycheck::Camera requires; otherwise throws
   /// std::invalid_argument naming the field.
   explicit Camera(const raycheck::Camera& camera, const Conventions& conventions = {});
 
@@ -127,8 +128,9 @@ class RAYCHECK_API Camera {
   /// The pixel's point on the image plane. Domain: a pixel of the image; otherwise throws
   /// std::invalid_argument.
   [[nodiscard]] Numbers pixel_point(Pixel pixel) const;
-  /// With a direction of length 1, from the pixel's point or the eye as the `origin` convention
-  /// says. Domain: a pixel of the image; otherwise throws std::invalid_argument.
+  /// The pixel's ray, with a direction of length 1. It starts at the pixel's point or at the eye,
+  /// as the `origin` convention says. Domain: a pixel of the image; otherwise throws
+  /// std::invalid_argument.
   [[nodiscard]] Ray ray(Pixel pixel) const;
 
   struct Impl;
@@ -137,10 +139,10 @@ class RAYCHECK_API Camera {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// How a ray meets a sphere, as Ray::hit() says.
+/// How a ray meets a sphere; equal to Ray(ray).hit(sphere, conventions).
 [[nodiscard]] RAYCHECK_API Intersection hit(const raycheck::Ray& ray, const Sphere& sphere,
                                             const Conventions& conventions = {});
-/// The sphere that a ray meets first; empty if it meets none.
+/// The sphere that a ray meets first; empty if it misses all.
 [[nodiscard]] RAYCHECK_API std::optional<Nearest> nearest(const raycheck::Ray& ray,
                                                           const std::vector<Sphere>& spheres,
                                                           const Conventions& conventions = {});

@@ -1,14 +1,14 @@
 #ifndef RAYCHECK_FUZZ_H_
 #define RAYCHECK_FUZZ_H_
 
-// A fuzzer for a candidate: bytes make a case, on which a law is checked.
+// A fuzzer for a candidate: it makes a case from bytes, and judges the candidate by a law on it.
 //
 //     #include <raycheck/fuzz.h>
 //     RAYCHECK_FUZZ(my_candidate(), "class")
 //
-// compiled by clang and linked with raycheck::fuzz makes a program that stops at the first case
-// that breaks the law, and prints it. C++17. Without libFuzzer, link raycheck::raycheck and call
-// the entry point.
+// Compile this by clang and link it with raycheck::fuzz. The program stops at the first case that
+// breaks the law, and prints this case. C++17. Without libFuzzer, link raycheck::raycheck and call
+// LLVMFuzzerTestOneInput() yourself.
 
 #include <raycheck/cases.h>
 #include <raycheck/judge.h>
@@ -34,7 +34,7 @@ inline void fuzz_one(const Candidate& candidate, const std::string& law, const s
 
 }  // namespace raycheck
 
-/// libFuzzer's entry point, which checks a raycheck::Candidate against a law.
+/// Defines libFuzzer's entry point, which judges a raycheck::Candidate by a law.
 #define RAYCHECK_FUZZ(candidate, law)                                                   \
   extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) { \
     static const ::raycheck::Candidate raycheck_candidate = candidate;                  \

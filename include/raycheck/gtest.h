@@ -1,12 +1,13 @@
 #ifndef RAYCHECK_GTEST_H_
 #define RAYCHECK_GTEST_H_
 
-// raycheck's laws as GoogleTest tests, one per law and source of cases:
+// Makes GoogleTest tests of raycheck's laws, one for each law and source of cases:
 //
 //     #include <raycheck/gtest.h>
 //     RAYCHECK_TESTS(Tracer, my_candidate());
 //
-// makes Tracer.class/distance and so on: law/source, with _ for - (which means "not" in a filter).
+// The tests are Tracer.class/distance and so on: law/source, with _ for -, which means "not" in a
+// filter.
 // C++17; link raycheck::gtest.
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@
 
 namespace raycheck {
 
-/// One law on one source. Skipped where the source's cases prove too little.
+/// One law on one source. The test is skipped if too few of the source's cases could be judged.
 class LawTest : public testing::Test {
  public:
   /// Failures are reported at `file` and `line`.
@@ -40,7 +41,7 @@ class LawTest : public testing::Test {
   int line_;
 };
 
-/// Registers the tests; before RUN_ALL_TESTS.
+/// Registers the tests. Call it before RUN_ALL_TESTS.
 inline bool add_tests(const char* suite, LawTests law_tests, const char* file, int line) {
   const auto tests = std::make_shared<const LawTests>(std::move(law_tests));
   for (const Check& check : tests->checks()) {
@@ -54,7 +55,7 @@ inline bool add_tests(const char* suite, LawTests law_tests, const char* file, i
 
 }  // namespace raycheck
 
-/// Tests of a raycheck::Candidate, in a suite of this name.
+/// Defines tests that judge a raycheck::Candidate, in a suite with this name.
 #define RAYCHECK_TESTS(suite, candidate)        \
   static const bool raycheck_tests_of_##suite = \
       ::raycheck::add_tests(#suite, ::raycheck::LawTests(candidate), __FILE__, __LINE__)

@@ -1,8 +1,8 @@
 #ifndef RAYCHECK_JUDGE_H_
 #define RAYCHECK_JUDGE_H_
 
-// Judges your code by raycheck's laws, in your own process: fast, but without a sandbox, so that a
-// crash ends your process. C++17; link raycheck::raycheck.
+// Judges your code by raycheck's laws in your own process. This is fast, but a crash of your code
+// ends the process. C++17; link raycheck::raycheck.
 //
 //     raycheck::Candidate mine("mine");
 //     mine.intersect = [](const raycheck::Ray& ray, const raycheck::Sphere& sphere,
@@ -33,16 +33,16 @@ struct Candidate {
   std::string name;  ///< Its name in verdicts.
   /// The conventions that it fixes; it follows the scene's in all others.
   Conventions declares;
-  /// How hard the cases are that it must get right; unstated: ordinary.
+  /// The difficulty of the cases that it must get right; unstated: ordinary.
   Level level = Level::unstated;
   /// Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds.
   double smallest_length = 0, largest_length = 0;
-  /// For single: cases are rounded to floats, passed as doubles, and errors and bounds count u and
+  /// single: cases are rounded to floats, passed as doubles; errors and bounds are counted in u and
   /// ulp of float.
   Precision precision = Precision::double_;
   /// usual: every root >= 0 counts; declared: those of declares.valid; as_asked: the scene's.
   Roots roots = Roots::usual;
-  Directions directions = Directions::any;  ///< For unit, it is called only with unit directions.
+  Directions directions = Directions::any;  ///< unit: it is called only with unit directions.
   Returns returns = Returns::hit;  ///< Which members of Hit are judged; the others may be anything.
   /// More declarations, in the words of `raycheck list`: "samples centres; t_min 1e-4".
   std::string contract;
@@ -51,11 +51,11 @@ struct Candidate {
   std::function<Frame(const Camera&)> frame;
   /// P, a pixel's point on the image plane.
   std::function<Vector(const Camera&, const Conventions&, Pixel)> pixel_point;
-  /// From P along the unit direction D.
+  /// The ray from P along D = (P - E)/|P - E|.
   std::function<Ray(const Camera&, const Conventions&, Pixel)> pixel_ray;
-  /// From E along the unit direction D.
+  /// The ray from E along D.
   std::function<Ray(const Camera&, const Conventions&, Pixel)> focal_ray;
-  /// Where a ray meets a sphere; empty where it does not. Directions need not be unit.
+  /// Where a ray meets a sphere; empty if it misses. Directions need not be unit.
   std::function<std::optional<Hit>(const Ray&, const Sphere&, const Conventions&)> intersect;
   /// The index of the sphere with the least s; empty if all are missed.
   std::function<std::optional<std::size_t>(const Ray&, const std::vector<Sphere>&,
@@ -72,21 +72,22 @@ struct Law {
 /// Every law, in the order of reports.
 [[nodiscard]] RAYCHECK_API std::vector<Law> laws();
 
-/// A law and where its cases come from.
+/// A law and the source of its cases.
 struct Check {
-  std::string law;     ///< Of laws().
-  std::string source;  ///< Of sources().
+  std::string law;     ///< A name in laws().
+  std::string source;  ///< A name in sources().
 };
 
 /// The laws that apply to a candidate, each with every source that has cases for it at the
-/// candidate's level. Errors: std::invalid_argument saying what is invalid: a candidate without
-/// functions, an empty range of lengths, t_min and t_max that are not an interval.
+/// candidate's level. Errors: std::invalid_argument naming what is invalid: the candidate has no
+/// functions, its range of lengths is empty, or t_min > t_max.
 [[nodiscard]] RAYCHECK_API std::vector<Check> checks(const Candidate& candidate);
 
-/// How many cases are tried, which ones, and which errors are allowed.
+/// The number of cases, their seed, and the errors that are allowed.
 struct JudgeOptions {
-  /// Shared evenly among the sources of each level up to the candidate's, and within a source among
-  /// its severities.
+  /// For each level up to the candidate's, this number is divided evenly among the sources, and
+  /// within a source among its severities up to that level. A severity gets the largest of these
+  /// shares, so that more cases than this may run.
   int cases = 500;
   std::uint64_t seed = 1;  ///< The same seed gives the same cases.
   /// A bound on errors that replaces those of direct/cross, in each quantity's own unit.
@@ -94,19 +95,19 @@ struct JudgeOptions {
   bool strict = false;  ///< Excused or undecided answers break a law, too.
 };
 
-/// The outcome of a law: it holds, it is broken, some cases stayed undecided, too few cases or none
-/// could be judged, or it does not apply to the candidate.
+/// The outcome of a law: it holds; it is broken; some cases stayed undecided; too few cases could
+/// be judged; no case could be judged; or it does not apply to the candidate.
 enum class Finding { holds, broken, undecided, too_few_judged, not_judged, left_out };
-/// In words: "too few judged".
+/// The finding in words: "too few judged".
 [[nodiscard]] RAYCHECK_API std::string name(Finding finding);
 
-/// The first case that breaks a law, shrunk as long as it still breaks it.
+/// The first case that breaks a law.
 struct BrokenCase {
-  Case shrunk;         ///< With one ray or pixel, where that still breaks it.
+  Case shrunk;         ///< The case made simpler: one ray or pixel, if one is enough.
   std::string replay;  ///< For replay().
-  /// The given answer, the exact one, and their distance.
+  /// The given answer, the exact answer, and their distance.
   std::string discrepancy;
-  /// The classic mistakes that explain the wrong answers; empty if none does.
+  /// The classic mistakes that explain the wrong answers; may be empty.
   std::vector<std::string> sentences;
 };
 
@@ -114,40 +115,41 @@ struct BrokenCase {
 struct Verdict {
   std::string law;                      ///< Its name.
   std::string candidate;                ///< The candidate's name.
-  Finding finding = Finding::left_out;  ///< In a word.
+  Finding finding = Finding::left_out;  ///< The outcome.
   std::uint64_t cases = 0;              ///< Cases tried.
   std::uint64_t comparisons = 0;        ///< Answers compared with the exact ones.
   std::uint64_t excused = 0;            ///< Wrong answers that are right for inputs close by.
   std::string reason;                   ///< Why cases were left out, or too few judged.
-  std::optional<BrokenCase> broken;     ///< Where the law is broken or undecided.
-  /// For people: the sentence, the discrepancy, the replay string and the shrunk scene.
+  std::optional<BrokenCase> broken;     ///< Set if the law is broken or undecided.
+  /// A report to read: the law, the discrepancy, the replay string and the shrunk scene.
   std::string text;
 
-  /// It was judged, and the law holds.
-  [[nodiscard]] bool holds() const { return finding == Finding::holds; }
-  /// The law holds or does not apply: it is not broken, undecided or judged too rarely. Also true
-  /// if the candidate lacks the function that the law is about: then nothing was judged.
-  [[nodiscard]] bool passes() const {
+  /// The law was judged, and holds.
+  [[nodiscard]] bool holds() const noexcept { return finding == Finding::holds; }
+  /// True unless the law is broken, undecided or judged on too few cases. Also true if no case was
+  /// judged (not_judged, left_out), for example because the candidate lacks the function.
+  [[nodiscard]] bool passes() const noexcept {
     return finding == Finding::holds || finding == Finding::left_out ||
            finding == Finding::not_judged;
   }
 };
 
-/// Judges a candidate by a law on random cases of a source ("distance", or "distance@3" with a
-/// severity), or, if none is named, of every source of the candidate's level. The same arguments
-/// give the same verdict. The error bounds are those of direct/cross.
+/// Judges a candidate by a law on random cases of a source: "distance", or "distance@3" with a
+/// severity. If `source` is empty, the cases come from every source of the candidate's level. The
+/// same arguments give the same verdict. The error bounds are those of direct/cross.
 /// Errors: std::invalid_argument naming an unknown law or source.
 [[nodiscard]] RAYCHECK_API Verdict judge(const Candidate& candidate, const std::string& law,
                                          const std::string& source = "",
                                          const JudgeOptions& options = {});
 
-/// The same for one given case. Errors: std::invalid_argument if the case is not valid.
+/// Judges a candidate by a law on one given case. Errors: std::invalid_argument if the case is not
+/// valid or the law is unknown.
 [[nodiscard]] RAYCHECK_API Verdict judge_case(const Candidate& candidate, const std::string& law,
                                               const Case& the_case,
                                               const JudgeOptions& options = {});
 
-/// Judges a replay string's case (LAW:CANDIDATE:SOURCE:SEED) again, whatever the candidate's name.
-/// Errors: std::invalid_argument if the string does not name a law, a source and a seed.
+/// Judges the case of a replay string (LAW:CANDIDATE:SOURCE:SEED) again; the CANDIDATE in it is
+/// ignored. Errors: std::invalid_argument if the string does not name a law, a source and a seed.
 [[nodiscard]] RAYCHECK_API Verdict replay(const Candidate& candidate, const std::string& text,
                                           const JudgeOptions& options = {});
 

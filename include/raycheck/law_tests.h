@@ -15,17 +15,17 @@ namespace raycheck {
 /// The outcome of one test.
 struct LawOutcome {
   bool passes = false;           ///< The test's result.
-  bool says_too_little = false;  ///< It passes, but too few cases, or none, were judged.
-  std::string text;              ///< The verdict's.
+  bool says_too_little = false;  ///< It passes, but no case or too few cases were judged.
+  std::string text;              ///< The text of the verdict.
 };
 
 /// The tests of a candidate: every law that applies to it, on every source.
 class LawTests {
  public:
-  /// Cases per law and source, by default.
+  /// The default number of cases for each law and source.
   static constexpr int kCases = 100;
 
-  /// An invalid candidate has one test, which fails and says why.
+  /// An invalid candidate has one test, which fails with the reason.
   explicit LawTests(Candidate candidate, JudgeOptions options = usual())
       : candidate_(std::move(candidate)), options_(options) {
     try {
@@ -34,7 +34,7 @@ class LawTests {
     } catch (const std::invalid_argument& error) {
       error_ = error.what();
     }
-    // A candidate without tests is not a success: one test fails.
+    // Without any test, an invalid candidate would pass.
     if (!error_.empty()) checks_ = {{"candidate", "valid"}};
   }
 

@@ -10,7 +10,7 @@
 //       ...
 //     });
 //
-// A failing case is shown as a scene file that reads back bit-identically. C++17; link
+// A failing case is shown as a scene file with the same numbers to the bit. C++17; link
 // raycheck::rapidcheck.
 
 #include <rapidcheck.h>
@@ -26,14 +26,14 @@ namespace raycheck {
 
 /// A ray and a sphere that it may meet.
 struct RaySphere {
-  Ray ray;        ///< As given, its direction of any length.
-  Sphere sphere;  ///< The sphere in question.
+  Ray ray;        ///< The length of its direction is arbitrary.
+  Sphere sphere;  ///< The ray may meet or miss it.
 };
 
 namespace gen {
 
-/// Cases of a source; `severity` -1: any up to its highest. Errors: std::invalid_argument, when a
-/// case is made, naming an unknown source or severity; likewise below.
+/// Cases of a source; severity -1: any of its severities. Errors: making a case with an unknown
+/// source or severity throws std::invalid_argument; the generators below throw the same.
 inline rc::Gen<Case> from(const std::string& source, int severity = -1) {
   const std::vector<Source> all = sources();
   const auto found =
@@ -67,12 +67,12 @@ inline rc::Gen<RaySphere> ray_and_sphere(const std::string& source = "rays", int
       });
 }
 
-/// Rays that touch a sphere, or nearly so: off by 2^(52 - severity) ulps of the radius.
+/// Rays that touch a sphere, or miss touching it by 2^(52 - severity) ulps of the radius.
 inline rc::Gen<RaySphere> near_tangent(int severity = -1) {
   return ray_and_sphere("tangent-ulps", severity);
 }
 
-/// Scenes where a ray meets several spheres at the same parameter, or nearly so.
+/// Scenes where a ray meets several spheres at equal or nearly equal parameters.
 inline rc::Gen<Scene> tie(int severity = -1) { return scene("coincident", severity); }
 
 }  // namespace gen

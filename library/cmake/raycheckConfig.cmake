@@ -1,6 +1,6 @@
-# raycheck::raycheck, the library; for each test framework that is installed, raycheck::gtest (with
-# GoogleTest's main), raycheck::catch2 (with Catch2's), raycheck::doctest and raycheck::rapidcheck;
-# and with clang, raycheck::fuzz (with libFuzzer's main). Components select them:
+# Defines the target raycheck::raycheck, the library; for each test framework that is installed, raycheck::gtest
+# (with GoogleTest's main), raycheck::catch2 (with Catch2's main), raycheck::doctest and raycheck::rapidcheck;
+# and with clang, raycheck::fuzz (with libFuzzer's main). COMPONENTS names those that a project needs:
 # find_package(raycheck REQUIRED COMPONENTS gtest).
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckTargets.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckFrameworks.cmake")

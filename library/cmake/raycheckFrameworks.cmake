@@ -1,4 +1,4 @@
-# The targets of the headers for other libraries, where these are installed.
+# Defines raycheck::gtest, ::catch2, ::doctest and ::rapidcheck for each test framework that is installed.
 function(raycheck_framework name package)
   if(TARGET raycheck::${name})
     return()

@@ -1,5 +1,5 @@
-; The errors of the components of h = f x g move |h|^2, of at most (2 S)^2, by at most 4 S e + e^2,
-; e = e1 + e2 + e3: the image filter's E for far spheres without its roundings
+; The errors of the components of h = f x g move |h|^2, which is at most (2 S)^2, by at most 4 S e +
+; e^2, e = e1 + e2 + e3. This is the image filter's E for far spheres, without its roundings
 ; (reference/visibility/visibility_kernel.h).
 (declare-const S Real)
 (declare-const h1 Real) (declare-const h2 Real) (declare-const h3 Real)

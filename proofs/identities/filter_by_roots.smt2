@@ -1,5 +1,5 @@
-; The errors of b, a and c move b^2 - c a by at most the terms of the image filter's E without
-; its roundings (reference/visibility/visibility_kernel.h, where b^ is bh here).
+; The errors of b, a and c move b^2 - c a by at most the terms of the image filter's E, without its
+; roundings (reference/visibility/visibility_kernel.h). bh is b^ there.
 (declare-const b Real) (declare-const bh Real) (declare-const B Real) (declare-const Eb Real)
 (declare-const a Real) (declare-const ah Real) (declare-const A Real) (declare-const Ea Real)
 (declare-const c Real) (declare-const ch Real) (declare-const rc Real)

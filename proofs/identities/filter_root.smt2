@@ -1,4 +1,4 @@
-; Where disc^ is beyond 64 E, its root is off by at most 0.51 sqrt(E/64), x here
+; If disc^ is above 64 E, its root is off by at most 0.51 x, x = sqrt(E/64)
 ; (reference/visibility/visibility_kernel.h: kDecidedBeyond).
 (declare-const d Real) (declare-const dh Real) (declare-const E Real)
 (declare-const q Real) (declare-const qh Real) (declare-const x Real)

@@ -1,5 +1,5 @@
-; Q = L + s D, s = v - d or v + d, lies on the sphere, where T = C - L, v = T.D, d^2 = r^2 -
-; (|T|^2 - v^2), |D| = 1. docs/problem.md, Sphere. Both signs of d at once.
+; Q = L + s D, s = v - d or v + d, lies on the sphere, if T = C - L, v = T.D, d^2 = r^2 - (|T|^2 -
+; v^2), |D| = 1. docs/problem.md, Sphere. d may have either sign here.
 (set-logic QF_NRA)
 (define-fun dot ((ax Real) (ay Real) (az Real) (bx Real) (by Real) (bz Real)) Real
   (+ (* ax bx) (* ay by) (* az bz)))

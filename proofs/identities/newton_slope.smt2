@@ -1,6 +1,6 @@
-; F(s) = |L + s d - C|^2 - r^2 is a s^2 - 2 b s + c, and at a root its slope 2 (a s - b) is 2
-; sqrt(disc) or -2 sqrt(disc): its square is 4 (b^2 - a c). fast/methods/intersect_robust.cpp
-; divides by this slope, not by that at s0.
+; F(s) = |L + s d - C|^2 - r^2 is equal to a s^2 - 2 b s + c. At a root its slope 2 (a s - b) is 2
+; sqrt(disc) or -2 sqrt(disc), since its square is 4 (b^2 - a c). fast/methods/intersect_robust.cpp
+; divides by this slope, not by the slope at s0.
 (set-logic QF_NRA)
 (define-fun dot ((ax Real) (ay Real) (az Real) (bx Real) (by Real) (bz Real)) Real
   (+ (* ax bx) (* ay by) (* az bz)))

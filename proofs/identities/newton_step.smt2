@@ -1,7 +1,7 @@
-; Newton's step from s0, with the slope F'(s) of F = a s^2 - 2 b s + c at its root s: s1 = s0 -
-; F(s0)/F'(s) leaves s1 - s = -(s0 - s)^2 a/F'(s), exactly. With s0 = s (1 + e) and F'(s) = 2
-; sqrt(disc) or -2 sqrt(disc) (newton_slope.smt2) that is, of s, e^2 g with g = a s/(2
-; sqrt(disc)): fast/methods/intersect_robust.cpp.
+; Newton's step from s0 with the slope F'(s) of F = a s^2 - 2 b s + c at its root s: s1 = s0 -
+; F(s0)/F'(s) leaves the error s1 - s = -(s0 - s)^2 a/F'(s), exactly. With s0 = s (1 + e) and F'(s) =
+; 2 sqrt(disc) or -2 sqrt(disc) (newton_slope.smt2), its size is s e^2 g with g = a s/(2 sqrt(disc)).
+; Used by fast/methods/intersect_robust.cpp.
 (set-logic QF_NRA)
 (declare-const a Real) (declare-const b Real) (declare-const c Real)
 (declare-const s Real) (declare-const s0 Real) (declare-const s1 Real)

@@ -1,7 +1,7 @@
-; l = |P - E| = sqrt(n^2 + alpha^2 + beta^2), which needs no axes: with g = n W + alpha U + beta V
-; for any U, V, W, the difference of |g|^2 and n^2 + alpha^2 + beta^2 is made of |U|^2 - 1, U.V
-; and so on, all 0 for perpendicular unit vectors (third_axis.smt2). docs/problem.md, Camera;
-; fast/methods/pixel_ray_focal.cpp.
+; l = |P - E| = sqrt(n^2 + alpha^2 + beta^2), which does not depend on the axes. For all U, V, W and
+; g = n W + alpha U + beta V, the difference of |g|^2 and n^2 + alpha^2 + beta^2 consists of terms
+; with |U|^2 - 1, U.V and so on, which are all 0 for perpendicular unit vectors (third_axis.smt2).
+; docs/problem.md, Camera; fast/methods/pixel_ray_focal.cpp.
 (set-logic QF_NRA)
 (define-fun dot ((ax Real) (ay Real) (az Real) (bx Real) (by Real) (bz Real)) Real
   (+ (* ax bx) (* ay by) (* az bz)))

@@ -1,7 +1,7 @@
 ; The roots of a s^2 - 2 b s + c = 0 without cancellation: c/q and q/a, where q = b + h, h^2 = b^2
-; - a c. With b >= 0 and h positive they are the smaller and the larger one, (b - h)/a and (b +
-; h)/a. fast/internal/robust.h and roots_by_q() of fast/internal/intersect_batch.h, which take -b
-; and the other sign of h for b < 0.
+; - a c. If b >= 0 and h > 0, they are the smaller and the larger root, (b - h)/a and (b + h)/a.
+; fast/internal/robust.h and roots_by_q() in fast/internal/intersect_batch.h use this; for b < 0,
+; with -b and the other sign of h.
 (set-logic QF_NRA)
 (declare-const a Real) (declare-const b Real) (declare-const c Real) (declare-const h Real)
 (assert (and (> a 0) (>= b 0) (> h 0) (= (* h h) (- (* b b) (* a c)))))

@@ -1,7 +1,7 @@
-; U without normalising twice: (up x W)/|up x W| = u/|u| where u = up x w, w = E - A, W = w/|w|,
+; U without normalising twice: (up x W)/|up x W| = u/|u|, where u = up x w, w = E - A, W = w/|w|,
 ; since |w| cancels. docs/problem.md, Camera, has the left side; reference/internal/formulas.h
-; computes the right one. Here p is up, u and w are lengths, and n is that of up x W = (nx, ny,
-; nz).
+; computes the right side. Here p is up, u and w are the lengths of these vectors, and n is the
+; length of up x W = (nx, ny, nz).
 (set-logic QF_NRA)
 (define-fun dot ((ax Real) (ay Real) (az Real) (bx Real) (by Real) (bz Real)) Real
   (+ (* ax bx) (* ay by) (* az bz)))

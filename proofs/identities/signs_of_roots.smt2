@@ -1,6 +1,6 @@
-; Hit or miss where the line meets the sphere, disc = h^2 > 0: with c < 0 the origin
-; lies between the roots; with c > 0 both have the sign of b. fast/internal/robust.h, and the
-; decision of fast/internal/robust_guess.h.
+; Hit or miss if the line meets the sphere, disc = h^2 > 0. If c < 0, 0 lies between the roots; if c
+; > 0, both roots have the sign of b. fast/internal/robust.h, and the decision in
+; fast/internal/robust_guess.h.
 (set-logic QF_NRA)
 (declare-const a Real) (declare-const b Real) (declare-const c Real) (declare-const h Real)
 (assert (and (> a 0) (> h 0) (= (* h h) (- (* b b) (* a c)))))

@@ -13,7 +13,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// Memory that is used again, so that a refusal has nothing to clean up.
+/// Memory that is reused, so that a refusal has nothing to clean up.
 struct Room {
   fast::Vectors points;
   fast::Rays rays;
@@ -34,8 +34,8 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
   };
 }
 
-/// Also renders this number of pixels on each side of the requested one, as a renderer would, so
-/// that the plan covers more than that pixel.
+/// Also renders this number of pixels on each side of the requested one, so that the plan covers
+/// more than one pixel, as in a renderer.
 constexpr std::int64_t kAround = 2;
 
 std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
@@ -58,9 +58,9 @@ std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
   return answers;
 }
 
-/// Added to the residuals' bounds over the point's: a point rounded to doubles is off by up to
-/// u |Q|, which is half the residual's condition number, (|Q| + |C| + |L| + r)/r or over s |D|, in
-/// units of u of r or s |D|.
+/// The bound on a residual is the point's plus this. Rounding a point to doubles moves it by up to
+/// u |Q|. In u of r, or of s |D|, that is at most half the residual's condition number, which is
+/// (|Q| + |C| + |L| + r) over r, or over s |D|.
 constexpr double kRoundedPointResidual = kModerateCondition / 2;
 
 void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
@@ -75,8 +75,8 @@ void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMetho
   promise(Quantity::kRayOrigin, rays.max_point_ulp);
   promise(Quantity::kDirection, rays.max_direction_ulp);
   promise(Quantity::kUnitDefect, rays.max_unit_defect_ulp);
-  // A ray's origin and direction are each off by its bound, and hence s and Q, in proportion to
-  // their condition numbers; audited by the campaigns.
+  // A ray's origin and direction are each off by at most their bounds. This changes s and Q in
+  // proportion to their condition numbers. Campaigns audit these bounds.
   const double inherited = std::max(rays.max_point_ulp, rays.max_direction_ulp);
   const auto promise_hit = [&](Quantity quantity, double bound) {
     promise(quantity, bound);
@@ -86,7 +86,7 @@ void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMetho
   promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
   promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp + kRoundedPointResidual);
   promise_hit(Quantity::kRayResidual, intersect.max_point_ulp + kRoundedPointResidual);
-  // A root off by x ulp is off by at most 2x u, and kappa is at least 1: scaling all lengths scales
+  // An error of x ulp in s is at most 2x u. kappa is at least 1, because scaling all lengths scales
   // s.
   promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
 }
@@ -106,7 +106,7 @@ std::vector<scene::Ray> rays_of(const fast::Rays& batch) {
   return rays;
 }
 
-// Skips misses several at a time.
+// Skips several misses at a time.
 SphereHits list_of(const fast::Hits& hits) {
   SphereHits list;
   const std::uint8_t* const begin = hits.hit.data();

@@ -14,16 +14,18 @@ using reference::HitClass;
 using reference::Intersection;
 using reference::WhichRoot;
 
-/// Classes are exact outside this range, too. Quotients of lengths inside it are normal doubles, so
-/// errors can be counted in ulp of s and u of |Q|.
+/// Hit classes are exact outside this range, too. Inside it, quotients of lengths are normal
+/// doubles, so errors can be counted in ulp of s and u of |Q|.
 constexpr fast::Domain kWideDomain = {.smallest_length = 0x1p-500, .largest_length = 0x1p500};
 
 /// The precision of `arb-128`, in bits.
 constexpr int kArbBits = 128;
-/// Correctly rounded: half an ulp in s. Each coordinate of Q too, which makes at most u of |Q|.
+/// s is correctly rounded, so it is off by at most half an ulp. Each coordinate of Q is correctly
+/// rounded, too, so Q is off by at most u |Q|.
 constexpr double kCorrectlyRoundedUlp = 0.5;
 constexpr double kCorrectlyRoundedPointUlp = 1;
-/// The loss of 128 bits shows only beyond the condition numbers that the bounds cover.
+/// The rounding errors of 128-bit balls stay below this for the condition numbers that the bounds
+/// cover.
 constexpr double kLostByArb = 0x1p-30;
 
 template <Engine engine>
@@ -50,10 +52,10 @@ struct Intervals {
   }
 };
 
-/// The midpoint's sign, which is the ball's where that is certain.
+/// The sign of the midpoint: if the sign of the ball is certain, it is the same.
 int sign_of_midpoint(const Enclosure& value) { return arf_sgn(arb_midref(value.ball())); }
 
-/// The midpoint as a double; the ball's value correctly rounded where the ball is narrow enough.
+/// The midpoint as a double. If the ball is narrow enough, this is its value, correctly rounded.
 double rounded(const Enclosure& value) {
   const double low = value.lower_rounded();
   const double high = value.upper_rounded();

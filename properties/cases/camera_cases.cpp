@@ -1,5 +1,5 @@
-// Cameras that look at spheres: ordinary ones, plain ones, and the sources with severities that set
-// where the camera stands, how it is turned and how large everything is.
+// Cameras that look at spheres: ordinary ones, plain ones, and sources whose severities set where
+// the camera stands, how it is turned and how large everything is.
 
 #include <cmath>
 
@@ -61,7 +61,8 @@ Case plain_cameras(int, std::uint64_t seed) {
   });
 }
 
-/// A smaller sphere roughly in line with the eye and another: before, behind or cutting it.
+/// A sphere roughly in line with the eye and another sphere, and smaller than that: before it,
+/// behind it or cutting it.
 Sphere in_line_with(Random& random, const Camera& camera, const Sphere& other) {
   const double depth = random.between(0.3, 3);
   const double share = random.between(0.1, 1.1);
@@ -71,7 +72,7 @@ Sphere in_line_with(Random& random, const Camera& camera, const Sphere& other) {
           other.radius * depth * share};
 }
 
-/// Several spheres, some hidden by others, inside others, or equal to others.
+/// Several spheres; some are hidden by others, inside others, or equal to others.
 Case crowds(int, std::uint64_t seed) {
   return valid_case(seed, [](Random& random, Case& result) {
     Camera camera = ordinary_camera(random);
@@ -110,7 +111,7 @@ Case far_camera(int severity, std::uint64_t seed) {
 constexpr int kMostUpOfCameraLengths = 1016;
 constexpr int kMostUpOfUp = 1022;
 
-/// The image plane is behind the eye now and then. `up` is scaled separately.
+/// Sometimes the image plane is behind the eye. `up` is scaled separately.
 Case camera_scale(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     Camera camera = ordinary_camera(random);
@@ -144,16 +145,17 @@ constexpr CaseSource kCameraSourceTable[] = {
     {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras},
     {"crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds},
     {"far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
-     // The lecture's P - E loses directions beyond what ordinary code may from @2 on; code that
-     // never forms it breaks nothing.
+     // From @2 on, directions by the lecture's P - E have larger errors than ordinary code may
+     // have. Code that never computes P - E breaks nothing.
      SeverityRange{"log10 of the distance from the world's origin", 10, 15, 1, 15}, far_camera},
     {"camera-scale", "cameras and spheres in view, every length times 2^k or 2^-k", true,
-     // right.cpp breaks `scaling` from @391 on, the laws of the camera from @510 on; see scale.
+     // right.cpp breaks `scaling` from @391 on, and the laws of the camera from @510 on; see
+     // `scale`.
      SeverityRange{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, camera_scale},
     {"up", "up vectors at an angle of 10^-k to the view", true,
-     // A plain up x W is off the right angle to W by 10^k u, which no change of the inputs
-     // explains: at @3 one s in 15,000 of right.cpp exceeds its bound. direct/cross holds to the
-     // end.
+     // A plain up x W deviates from a right angle to W by 10^k u, which no change of the inputs
+     // explains: at @3, one s in 15,000 of right.cpp exceeds its bound. direct/cross holds at all
+     // severities.
      SeverityRange{"-log10 of the angle between up and the view", 10, 15, 2, 15}, up}};
 
 }  // namespace

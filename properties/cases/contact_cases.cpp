@@ -1,4 +1,5 @@
-// Sources of given rays that nearly touch: the line the sphere, or the origin its surface.
+// Sources of given rays whose line nearly touches the sphere, or whose origin is close to its
+// surface.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ using scene::Ray;
 using scene::Sphere;
 using scene::Vector3;
 
-/// The coordinates in another order, one of the three that keep handedness.
+/// The coordinates in one of the three orders that keep handedness.
 template <class Triple>
 Triple turned(Triple v, std::int64_t turns) {
   for (; turns > 0; --turns) v = {v.z, v.x, v.y};
@@ -37,9 +38,9 @@ Case tangency(int severity, std::uint64_t seed) {
 
 constexpr int kExactlyTangent = 53;
 
-/// A ray along an axis, so that the impact parameter is a difference of coordinates: with the ray
-/// in the plane y = 0 it is the centre's y, and both planes may have any z. Radii of 51 bits leave
-/// room for r +- 2^-severity.
+/// A ray along an axis, so that the impact parameter is a difference of coordinates. The ray is in
+/// the plane y = 0, so that this is the centre's y, at any common z. Radii of 51 bits leave room
+/// for r +- 2^-severity.
 Case tangent_ulps(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;
@@ -68,7 +69,7 @@ Case tangent_ulps(int severity, std::uint64_t seed) {
 
 constexpr int kExactlyOnSurface = 16;
 
-/// All numbers are integers times one power of two, with C - L and the radius a Pythagorean
+/// All numbers are integers times one power of two. C - L and the radius are a Pythagorean
 /// quadruple (Euler's parametrisation), so that |C - L| = r exactly.
 Case on_surface(Random& random) {
   const auto bits = random.integer(1, 25);
@@ -139,8 +140,8 @@ Case inside(int severity, std::uint64_t seed) {
   return result;
 }
 
-/// A planet in a renderer's coordinates: the world's origin near the eye, the ray above or below
-/// the horizon by a fraction of the horizon's dip.
+/// A planet in a renderer's coordinates: the world's origin is near the eye, and the ray is above
+/// or below the horizon by a fraction of the horizon's dip.
 Case horizon(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;
@@ -167,32 +168,31 @@ Case horizon(int severity, std::uint64_t seed) {
 
 // ray_cases.cpp explains how the levels were measured.
 constexpr CaseSource kContactSourceTable[] = {
-    {"tangency", "impact parameters r (1 +- 10^-k)", false,
+    {"tangency", "rays that pass a centre at the distance r (1 +- 10^-k)", false,
      // The textbook's class is wrong from @10 on (kahan; quadratic, lecture: @11), its s and Q at
      // every severity, being up to 10^3 radii away. direct/cross needs excuses from @15 on.
-     SeverityRange{"log10 of the radius over the impact parameter's distance from it", 10, 16, 7,
-                   13},
+     SeverityRange{"log10 of the radius over the ray's distance from tangency", 10, 16, 7, 13},
      tangency},
-    {"tangent-ulps", "impact parameters 2^(52-k) ulps off r; at the highest, exactly tangent",
-     false,
+    {"tangent-ulps",
+     "rays that pass a centre 2^(52-k) ulps off r; at the highest severity tangents", false,
      // The textbook's class is wrong from @42 on. direct/cross needs excuses at exact tangency; two
      // severities before it doubles cannot set the dial finer.
-     SeverityRange{"log2 of the radius over the impact parameter's distance from it", 2,
-                   kExactlyTangent, 30, 50},
+     SeverityRange{"log2 of the radius over the ray's distance from tangency", 2, kExactlyTangent,
+                   30, 50},
      tangent_ulps},
-    {"surface", "origins 10^-k half chords off the surface; at the highest, on it", false,
+    {"surface", "origins 10^-k half chords off the surface; at the highest severity on it", false,
      // All methods decide correctly; the textbook's (D - r)(D + r) keeps half of its digits at @8.
      SeverityRange{"log10 of the half chord over the distance from the surface", 10,
                    kExactlyOnSurface, 8, kExactlyOnSurface},
      surface},
-    {"inside", "origins inside, 10^-k radii off the centre; at the highest, at it", false,
+    {"inside", "origins inside, 10^-k radii off the centre; at the highest severity at it", false,
      // Not hard for any method.
      SeverityRange{"log10 of the radius over the distance from the centre", 10, kExactlyAtCentre,
                    kExactlyAtCentre, kExactlyAtCentre},
      inside},
     {"horizon", "rays at the horizon from 10^-k radii above a huge sphere", false,
-     // All methods decide correctly; excuses are needed from @12 (direct/cross) and @13 (textbook)
-     // on.
+     // All methods decide correctly. direct/cross needs excuses from @12 on, the textbook's
+     // formulas from @13 on.
      SeverityRange{"log10 of the radius over the altitude", 10, 15, 6, 11}, horizon}};
 
 }  // namespace

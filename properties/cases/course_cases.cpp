@@ -1,5 +1,5 @@
-// Course assignments: cameras and spheres of few digits. The usual formulas are right on them, and
-// the usual mistakes give different answers. No ray of either origin starts inside a sphere.
+// Cases as in course assignments: cameras and spheres with few digits. The usual formulas are
+// right, and the usual mistakes give other answers. No ray from E or from P starts inside a sphere.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ using scene::Sphere;
 using scene::Vector3;
 
 constexpr double kGrain = 0.25;        ///< Coordinates are multiples of it, radii of its half.
-constexpr double kFineGrain = 0x1p-6;  ///< The same in front of the image plane.
+constexpr double kFineGrain = 0x1p-6;  ///< The grain in front of the image plane.
 constexpr double kGap = 0.0625;        ///< Spheres keep this far from planes they avoid.
 
 double quarters(Random& random, std::int64_t low, std::int64_t high) {
@@ -50,11 +50,11 @@ Camera course_camera(Random& random) {
   return camera;
 }
 
-/// The axes of a camera, and a point in its view.
+/// The axes of a camera, and points in its view.
 struct View {
   explicit View(const Camera& of) : camera(of), axes(of) {}
 
-  /// Towards a point of the image plane, sometimes a little outside its bounds.
+  /// A direction towards a point of the image plane, sometimes a little outside its bounds.
   Vector3 sight(Random& random) const {
     const double alpha = random.between(1.1 * camera.left, 1.1 * camera.right);
     const double beta = random.between(1.1 * camera.bottom, 1.1 * camera.top);
@@ -64,7 +64,7 @@ struct View {
     return {along_w.x + along_u.x + along_v.x, along_w.y + along_u.y + along_v.y,
             along_w.z + along_u.z + along_v.z};
   }
-  /// Depth before the eye.
+  /// The depth of a point before the eye.
   double depth(const Point3& point) const { return -dot(point - camera.eye, axes.w); }
 
   const Camera& camera;
@@ -77,7 +77,7 @@ Sphere rounded(const Point3& centre, double radius, double grain) {
           std::max(grain / 2, (grain / 2) * std::round(radius / (grain / 2)))};
 }
 
-/// Entirely beyond the image plane.
+/// A sphere entirely beyond the image plane.
 Sphere beyond(Random& random, const View& view) {
   const Camera& camera = view.camera;
   for (;;) {
@@ -90,7 +90,7 @@ Sphere beyond(Random& random, const View& view) {
   }
 }
 
-/// Behind the eye, on the backward extension of rays.
+/// A sphere behind the eye, on the backward extension of rays.
 Sphere behind(Random& random, const View& view) {
   const Camera& camera = view.camera;
   for (;;) {
@@ -103,7 +103,7 @@ Sphere behind(Random& random, const View& view) {
   }
 }
 
-/// Between the eye and the image plane.
+/// A sphere between the eye and the image plane.
 Sphere before(Random& random, const View& view) {
   const Camera& camera = view.camera;
   const double near = -camera.near;

@@ -28,7 +28,7 @@ Difference difference(const Point3& from, const Point3& to) {
   return {high, {low(to.x, from.x, high.x), low(to.y, from.y, high.y), low(to.z, from.z, high.z)}};
 }
 
-/// x y - z w, good to 1.5 ulp (Kahan).
+/// x y - z w, with an error of at most 1.5 ulp (Kahan).
 double difference_of_products(double x, double y, double z, double w) {
   const double product = z * w;
   const double error = std::fma(-z, w, product);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Helpers of the sources of cases. Internal to properties/. Except for Random::power_of_ten(), no
-// function called here differs between machines.
+// Helpers of the sources of cases. Internal to properties/. All functions called here give the same
+// results on every machine, except Random::power_of_ten().
 
 #include "properties/case.h"
 #include "properties/cases/random.h"
@@ -12,9 +12,9 @@ namespace raycheck::properties {
 /// 10^k rounded once, |k| <= 22.
 double power_of_ten(int k);
 
-/// The factor of severity k, random in [0.5, 2) 10^k: cases of one severity differ.
+/// A random factor for severity k, in [0.5, 2) 10^k.
 double about_ten_to(Random& random, int k);
-/// The same for a fraction: in [0.4, 0.9) 10^-k, so below 1 at severity 0.
+/// A random fraction for severity k, in [0.4, 0.9) 10^-k: below 1 even at severity 0.
 double share_of(Random& random, int k);
 double signed_share_of(Random& random, int k);
 
@@ -32,8 +32,8 @@ struct Axes {
 /// A unit vector at right angles to `direction`.
 scene::Vector3 across(Random& random, const scene::Vector3& direction);
 
-/// For given doubles, accurate to a few units in the last place despite cancellation: sources with
-/// severities finer than the rounding of a sphere's centre choose the radius to fit.
+/// These three are accurate to a few ulp despite cancellation. If a severity is finer than the
+/// rounding of a sphere's centre, the source fits the radius to the rounded centre.
 double distance_between(const scene::Point3& from, const scene::Point3& to);  ///< |T|
 double impact_parameter(const scene::Ray& ray, const scene::Point3& centre);  ///< |T x d|/|d|
 /// T.d/|d|, accurate relative to |T|.
@@ -44,7 +44,8 @@ inline constexpr int kMostBinades = 1074;
 
 scene::Conventions any_conventions(Random& random);
 
-/// Every length of the scene times 2^exponent, rounded once where it leaves the normal range.
+/// Multiplies every length of the scene by 2^exponent; lengths that become subnormal are rounded
+/// once.
 void scale_lengths(scene::Scene& scene, int exponent);
 
 /// A ray and its unit direction.
@@ -56,10 +57,10 @@ struct Line {
 /// Within 10 of the world's origin.
 scene::Point3 ordinary_origin(Random& random);
 
-/// A ray in a random direction, half of the time not a unit one.
+/// A ray in a random direction; half of the time the direction is not a unit vector.
 Line any_line(Random& random, const scene::Point3& origin);
 
-/// A sphere `distance` along the line and `impact` off it.
+/// A sphere whose centre is `distance` along the line and `impact` off it.
 scene::Sphere sphere_off(Random& random, const Line& line, double distance, double impact,
                          double radius);
 
@@ -79,14 +80,14 @@ Case ray_case(Random& random, const scene::Point3& origin, MakeSphere make_spher
 
 /// An eye within 10 of the world's origin, bounds of about |near|, a small image.
 scene::Camera ordinary_camera(Random& random);
-/// Makes the bounds symmetric half of the time, mirrors the image now and then.
+/// Makes the bounds symmetric half of the time, and mirrors the image now and then.
 void vary_bounds(Random& random, scene::Camera& camera);
 /// A few pixels of the camera: a corner now and then, otherwise anywhere.
 std::vector<scene::Pixel> some_pixels(Random& random, const scene::Camera& camera);
-/// `count` spheres about where the camera looks: hit by some pixels, missed by others.
+/// Adds `count` spheres about where the camera looks; some pixels hit them, others miss.
 void add_spheres_in_view(Random& random, std::int64_t count, scene::Scene& scene);
 
-/// Calls fill(random, case) until the case is valid; its conventions are set first.
+/// Sets random conventions and calls fill(random, case), until the case is valid.
 template <class Fill>
 Case valid_case(std::uint64_t seed, Fill fill) {
   Random random(seed);

@@ -15,7 +15,7 @@ using scene::Point3;
 using scene::Sphere;
 using scene::Vector3;
 
-/// A pixel's ray, to the accuracy of plain doubles.
+/// A pixel's ray, computed in plain doubles.
 struct PixelAim {
   Line from_pixel;
   Line from_eye;
@@ -44,7 +44,7 @@ PixelAim aim_through(const scene::Scene& scene, const Pixel& pixel) {
   return {{{point, direction}, direction}, {{camera.eye, direction}, direction}, length(to_pixel)};
 }
 
-/// One to three spheres, each near the ray through one of the pixels and ahead of it, mostly.
+/// Adds one to three spheres, each near the ray through one of the pixels, mostly ahead of the eye.
 void add_aimed_spheres(Random& random, Case& result) {
   const auto count = random.integer(1, 3);
   for (std::int64_t k = 0; k < count; ++k) {
@@ -59,8 +59,7 @@ void add_aimed_spheres(Random& random, Case& result) {
   }
 }
 
-/// Narrow or wide, the two directions of the image independently; the image plane is behind the eye
-/// now and then.
+/// Narrow or wide, independently across and down. Sometimes the image plane is behind the eye.
 Case field_of_view(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     Camera camera = ordinary_camera(random);
@@ -78,16 +77,16 @@ Case field_of_view(int severity, std::uint64_t seed) {
   });
 }
 
-/// 2^31 pixels would be one too many.
+/// 2^31 pixels would be one too many, so the highest severity uses fewer.
 constexpr int kMostPixelsLog2 = 31;
 
-/// The first or the last of `count`, or any.
+/// The first index of `count`, the last, or any.
 std::int64_t any_index(Random& random, std::int64_t count) {
   const std::int64_t end = random.one_in(2) ? 0 : count - 1;
   return random.one_in(2) ? end : random.integer(0, count - 1);
 }
 
-/// Square images and wide ones. A single row or column of pixels cannot be sampled at edges.
+/// Square images and wide ones. An image of one row or column cannot be sampled at edges.
 Case image_size(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     Camera camera = ordinary_camera(random);
@@ -108,8 +107,9 @@ Case image_size(int severity, std::uint64_t seed) {
   });
 }
 
-/// Rays from the image plane, the first pixel's point next to the surface of every sphere: before
-/// it, just inside, about to leave, or just past it, with the sphere between eye and plane.
+/// Rays from the image plane. The first pixel's point is next to the surface of every sphere:
+/// before the sphere, just inside, about to leave it, or just past it, with the sphere between eye
+/// and plane.
 Case near_plane(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     result.scene.conventions.origin = scene::Origin::kPixel;
@@ -124,7 +124,7 @@ Case near_plane(int severity, std::uint64_t seed) {
     const PixelAim aim = aim_through(result.scene, result.pixels.front());
     const auto count = random.integer(1, 3);
     for (std::int64_t k = 0; k < count; ++k) {
-      // Not much smaller than |P|: its rounding would change the severity.
+      // If the distance were much smaller than |P|, the rounding of P would change the severity.
       const double distance = (aim.length + std::abs(from_world)) * random.between(0.1, 0.5);
       const double cosine = random.between(0.3, 1);
       const double side = random.sign();
@@ -140,15 +140,16 @@ Case near_plane(int severity, std::uint64_t seed) {
 // ray_cases.cpp explains how the levels were measured.
 constexpr CaseSource kPixelSourceTable[] = {
     {"field-of-view", "bounds of 10^k or 10^-k times near", true,
-     // The lecture's directions break from @2 on, the sums of `incremental` at @0; others hold to
-     // the end.
+     // The lecture's directions break from @2 on, and the sums of `incremental` at @0; the other
+     // methods hold at all severities.
      SeverityRange{"log10 of the bounds over near, up or down", 10, 15, 3, 15}, field_of_view},
     {"image-size", "images 2^k pixels across, 2^31 - 1 at most", true,
-     // The lecture's directions break from @6 on; others hold to the end.
+     // The lecture's directions break from @6 on; the other methods hold at all severities.
      SeverityRange{"log2 of the pixels across", 2, kMostPixelsLog2, 14, kMostPixelsLog2},
      image_size},
     {"near-plane", "image planes 10^-k radii off the surface of a sphere", true,
-     // All methods decide correctly, though roundings of the pixel add to those of `surface`.
+     // All methods decide correctly, though the rounding of the pixel point adds to the roundings
+     // in `surface`.
      SeverityRange{"log10 of the radius over the pixel's distance from the surface", 10, 15, 6, 15},
      near_plane}};
 

@@ -8,9 +8,9 @@
 namespace raycheck::properties {
 
 /// A stream of random numbers that is the same on every machine (the standard's distributions are
-/// not), and starts at no cost: SplitMix64 (Steele, Lea and Flood, Fast splittable
-/// pseudorandom number generators, 2014). Never draw two numbers in the arguments of one call or
-/// the operands of one operator: their order is the compiler's to choose.
+/// not), and starts at no cost: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom
+/// number generators, 2014). Never draw two numbers in the arguments of one call or in the operands
+/// of one operator, because the compiler chooses their order.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -22,7 +22,7 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
   }
-  /// Skips that number of draws.
+  /// Skips this number of draws.
   void skip(std::uint64_t draws) { state_ += draws * 0x9e3779b97f4a7c15; }
   /// Uniform in [0, 1), a multiple of 2^-53.
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }

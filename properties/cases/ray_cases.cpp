@@ -1,5 +1,5 @@
-// Given rays and spheres: ordinary ones, exact ties, and the sources with severities that set
-// distances, positions and magnitudes.
+// Given rays and spheres: ordinary ones, exact ties, and sources whose severities set distances,
+// positions and magnitudes.
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +75,8 @@ Case distance(int severity, std::uint64_t seed) {
 
 constexpr int kExactlyCoincident = 16;
 
-/// Equal spheres one behind the other along the ray, listed in any order. Most of their centres are
-/// close to the world's origin, so that their rounding does not change the separation.
+/// Equal spheres one behind the other along the ray, listed in any order. Most centres are close to
+/// the world's origin, so that rounding does not change their separation.
 Case coincident(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;
@@ -110,11 +110,12 @@ Case far_world(int severity, std::uint64_t seed) {
   return ray_case(random, origin, ordinary_sphere);
 }
 
-/// The larger one keeps the lengths of ordinary rays finite, the smaller one their directions.
+/// Scaled up by the first, the lengths of ordinary rays stay finite; scaled up by the second, their
+/// directions do.
 constexpr int kMostUpOfLengths = 1018;
 constexpr int kMostUpOfDirections = 1022;
 
-/// Up or down by 2^severity, down where up would overflow.
+/// Up or down by 2^severity; down if up would overflow.
 int any_scaling(Random& random, int severity, int most_up) {
   return severity <= most_up && random.one_in(2) ? severity : -severity;
 }
@@ -127,7 +128,7 @@ Case scale(int severity, std::uint64_t seed) {
   return result;
 }
 
-/// Spheres are aimed at along the direction as rounded to the smallest doubles.
+/// Spheres are placed along the direction after its rounding to subnormal doubles.
 Case direction_length(int severity, std::uint64_t seed) {
   Random random(seed);
   const int exponent = any_scaling(random, severity, kMostUpOfDirections);
@@ -145,20 +146,20 @@ Case direction_length(int severity, std::uint64_t seed) {
   return result;
 }
 
-// How the levels were measured. Decisions: the laws class, nearest-root and nearest-sphere.
-//   raycheck properties --level extreme --cases 3000 --intersect METHOD --format json
-// shows each part's severity. Ordinary: the decisions of the textbook's formulas (quadratic, kahan,
-// lecture) hold with at least two decades to spare, and tests/candidates/right.cpp holds every law.
-// Demanding: direct/cross, perpendicular and robust hold every law, and no decision of direct/cross
+// How the levels were measured. "Decisions" are the laws class, nearest-root and nearest-sphere.
+// raycheck properties --level extreme --cases 3000 --intersect METHOD --format json shows each
+// part's severity. Ordinary: the decisions of the textbook's formulas (quadratic, kahan, lecture)
+// hold with at least two decades to spare, and tests/candidates/right.cpp keeps every law.
+// Demanding: direct/cross, perpendicular and robust keep every law, and no decision of direct/cross
 // needs an excuse.
 constexpr CaseSource kRaySourceTable[] = {
     {"rays", "ordinary rays and spheres", false, {}, rays},
     {"ties", "exact tangents and equal spheres, and their neighbours in ulps", false, {}, ties},
     {"distance", "spheres 10^k radii away", false,
      // The textbook's class is wrong from @7 on (lecture: @8), its s and Q from @2 on. The stable
-     // methods hold to the end.
+     // methods hold at all severities.
      SeverityRange{"log10 of the distance over the radius", 10, 15, 2, 15}, distance},
-    {"coincident", "equal spheres 10^-k radii apart along the ray; at the highest, coincident",
+    {"coincident", "equal spheres 10^-k radii apart along the ray; at the highest severity equal",
      // Which sphere is nearer needs excuses from @13 (textbook) and @14 (direct/cross) on.
      false, SeverityRange{"log10 of the radius over the separation", 10, kExactlyCoincident, 6, 12},
      coincident},
@@ -166,13 +167,13 @@ constexpr CaseSource kRaySourceTable[] = {
      // No method breaks a law; beyond @4 the inputs keep less than half of their digits.
      SeverityRange{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_world},
     {"scale", "ordinary rays and spheres, every length times 2^k or 2^-k", false,
-     // right.cpp breaks `scaling`, which scales once more, from @391 on, its decisions from @510
-     // on, where products of four lengths leave the range; at 2^100 there is room for ten factors.
-     // The stable methods promise lengths to 2^+-200, of which ordinary scenes take the last
-     // binades.
+     // right.cpp breaks `scaling`, which scales once more, from @391 on. Its decisions are wrong
+     // from @510 on, where products of four lengths leave the range; at 2^100 there is room for ten
+     // factors. The stable methods promise lengths up to 2^+-200; the sizes of ordinary scenes use
+     // the last binades of these.
      SeverityRange{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, scale},
     {"direction-length", "ordinary rays and spheres, the direction times 2^k or 2^-k", false,
-     // As for scale.
+     // As for `scale`.
      SeverityRange{"log2 of the direction's length, up or down", 2, kMostBinades, 100, 190},
      direction_length}};
 

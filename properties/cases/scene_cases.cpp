@@ -7,8 +7,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// N pixels of an image, spread evenly: the middles of the cells of a grid as nearly square as N
-/// allows. All pixels, row by row, when N is their number.
+/// N pixels of an image, spread evenly: the middles of the cells of a grid that is as nearly square
+/// as N allows. If N is the number of pixels: all pixels, row by row.
 class PixelGrid {
  public:
   PixelGrid(const scene::Camera& camera, std::uint64_t count)

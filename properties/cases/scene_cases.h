@@ -7,8 +7,8 @@
 
 namespace raycheck::properties {
 
-/// The rays of a scene as cases for the laws: all of them, or for a camera at most a given number,
-/// spread evenly over the image.
+/// The rays of a scene as cases for the laws. `at_most` limits the number of rays of a camera; they
+/// are then spread evenly over the image.
 class SceneCases {
  public:
   SceneCases(scene::Scene scene, std::optional<std::uint64_t> at_most);
@@ -16,7 +16,7 @@ class SceneCases {
   const scene::Scene& scene() const { return scene_; }
   std::uint64_t rays_in_scene() const;
   std::uint64_t rays_judged() const { return judged_; }
-  /// The rays [first, end) of those judged, as a case.
+  /// A case with the rays [first, end) of those judged.
   Case from(std::uint64_t first, std::uint64_t end) const;
 
  private:

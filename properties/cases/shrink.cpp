@@ -37,7 +37,8 @@ bool is_valid(const Case& the_case) {
   });
 }
 
-/// The number of spheres of radius 0, which do not make a case simpler: they are harder to picture.
+/// The number of spheres of radius 0. They are harder to picture, so a radius of 0 does not make a
+/// case simpler.
 std::ptrdiff_t count_points(const scene::Scene& scene) {
   return std::count_if(scene.spheres.begin(), scene.spheres.end(),
                        [](const scene::Sphere& sphere) { return sphere.radius == 0; });
@@ -46,7 +47,8 @@ std::ptrdiff_t count_points(const scene::Scene& scene) {
 /// Called with one case after another until it returns true.
 using Take = std::function<bool(Case&&)>;
 
-/// Cases without some elements, half of them first, then fewer; `keep` remain.
+/// Cases without some elements: first without half of them, then without fewer; at least `keep`
+/// remain.
 template <class Member>
 bool leave_some_out(const Case& the_case, Member member, std::size_t keep, const Take& take) {
   const std::size_t count = member(the_case).size();
@@ -84,7 +86,7 @@ bool shrink_image(const Case& the_case, const Take& take) {
   for (const bool across : {true, false}) {
     const std::int64_t count = across ? camera.width : camera.height;
     for (const std::int64_t smaller : smaller_counts(count)) {
-      // Pixels keep their position in the image, or their indices where these still exist.
+      // Pixels keep their relative position in the image or, if these still exist, their indices.
       for (const bool in_proportion : {true, false}) {
         Case less = the_case;
         (across ? less.scene.camera->width : less.scene.camera->height) = smaller;
@@ -123,8 +125,8 @@ bool simplify_numbers(const Case& the_case, const Take& take) {
   return false;
 }
 
-/// Those of simpler(), each made when it is tried: together they take as much memory as all numbers
-/// of a scene squared.
+/// Tries the cases of simpler(). Each is made when it is tried, because the memory for all of them
+/// grows with the square of the scene's size.
 bool any_simpler(const Case& the_case, const Take& take) {
   const std::ptrdiff_t points = count_points(the_case.scene);
   const Take valid = [&](Case&& next) {

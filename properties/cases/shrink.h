@@ -16,8 +16,9 @@ int complexity(double value);
 /// Simpler doubles to try in place of x, the simplest first: 0, 1, whole numbers, fewer bits.
 std::vector<double> simpler(double value);
 
-/// Valid cases that are simpler in one respect: half of the spheres, pixels or rays, a quarter, and
-/// so on to one of them fewer, a convention at its default, a smaller image, one number simpler.
+/// Valid cases that are simpler in one respect: without half of the spheres, pixels or rays,
+/// without a quarter, and so on down to without one; with a convention at its default; with a
+/// smaller image; or with one simpler number.
 std::vector<Case> simpler(const Case& the_case);
 
 /// The budget of shrinking: cases to try, and their spheres, rays and pixels in total.
@@ -29,8 +30,8 @@ struct ShrinkBudget {
   bool is_spent() const { return tries <= 0 || parts <= 0; }
 };
 
-/// Follows steps of simpler() from a case, each to the first case for which `still` holds, until
-/// none is left or the budget is used up. Subtracts the cost from the budget.
+/// Replaces the case by the first case in simpler() for which `still` holds, as often as there is
+/// one and the budget lasts. Subtracts the cost from the budget.
 Case smallest(Case from, ShrinkBudget& budget, const std::function<bool(const Case&)>& still);
 
 }  // namespace raycheck::properties

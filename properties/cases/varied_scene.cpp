@@ -23,12 +23,12 @@ using scene::Vector3;
 /// Positions and sizes on the image plane count as equal if they differ by at most this share of a
 /// pixel.
 constexpr double kSamePlace = 1e-3;
-/// Coordinates that are smaller than this share of a sphere's distance are rounding errors.
+/// Coordinates that are smaller than this share of a sphere's distance count as rounding errors.
 constexpr double kNoLength = 1e-12;
 
 double rounded(double x) { return scene::to_digits(x, kVariedDigits); }
 
-/// A sphere's centre from the eye, along the axes.
+/// A sphere's centre relative to the eye, in coordinates along the axes.
 struct Seen {
   double u = 0, v = 0, w = 0;
 };
@@ -42,7 +42,7 @@ Point3 in_world(const Camera& camera, const Axes& axes, const Seen& at) {
   const auto coordinate = [&](double eye, double u, double v, double w) {
     const double x = u * at.u + v * at.v + w * at.w;
     const double distance = std::abs(at.u) + std::abs(at.v) + std::abs(at.w);
-    // Below the digits that count, the sum is rounding error.
+    // Smaller coordinates are only rounding error.
     return std::abs(x) < kNoLength * distance ? eye : rounded(eye + rounded(x));
   };
   return {coordinate(camera.eye.x, axes.u.x, axes.v.x, axes.w.x),
@@ -54,8 +54,8 @@ double gap(double low, double high, std::int64_t count) {
   return (high - low) / static_cast<double>(std::max<std::int64_t>(1, count - 1));
 }
 
-/// The look of a sphere: where the line through the eye and its centre meets the image plane, and
-/// its size there. Domain: the centre is not in the eye's plane.
+/// A sphere's position and size on the image plane: where the line through the eye and its centre
+/// meets the plane, and its size there. Domain: the centre is not in the eye's plane.
 struct OnPlane {
   double alpha = 0, beta = 0, radius = 0;
   OnPlane(const Camera& camera, const Seen& at, double r)
@@ -68,11 +68,11 @@ bool are_same(double a, double b, double pixel) {
   return std::abs(a - b) <= kSamePlace * std::abs(pixel);
 }
 
-/// One set of factors for each distinct look in a scene.
+/// One set of factors for each distinct look (position or size) in a scene.
 template <std::size_t Count>
 class Factors {
  public:
-  /// The factors of a look where `is_it` holds, else new ones.
+  /// The factors of the look for which `is_it` holds; if there is none, new factors.
   template <class IsIt>
   const std::array<double, Count>& of(const OnPlane& look, IsIt is_it, Random& random) {
     for (const auto& [known, factors] : all_) {
@@ -114,8 +114,8 @@ void vary_spheres(Random& random, const Axes& axes, Scene& scene) {
 void vary_border(Random& random, const Axes& axes, Scene& scene) {
   const Camera& c = *scene.camera;
   if (c.width < 3 || c.height < 3) return;
-  /// Moves positions on a border to other pixels: mirror images to the same pixel, counted from
-  /// either end.
+  /// Moves positions on a border to other pixels. Mirror images move to the same pixel, counted
+  /// from either end.
   struct Line {
     double low, high, pixel;
     std::int64_t count;
@@ -152,9 +152,9 @@ void vary_border(Random& random, const Axes& axes, Scene& scene) {
   }
 }
 
-/// The content of a picture, in doubles.
+/// What a picture shows, computed in doubles.
 struct Shown {
-  std::vector<bool> spheres;  ///< Which are seen.
+  std::vector<bool> spheres;  ///< Whether each sphere is seen.
   bool is_clear = true;       ///< Every ray is kClearOfEdges from every sphere's edge.
 };
 

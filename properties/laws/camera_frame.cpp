@@ -10,7 +10,7 @@ namespace {
 
 using reference::Enclosure3;
 
-/// The largest of the axes' unit defects and mutual cosines; infinite when the frame is left-handed
+/// The largest of the axes' unit defects and mutual cosines; infinite if the frame is left-handed
 /// or not finite.
 scene::Measured orthonormality_error(const FrameAnswer& frame) {
   const Enclosure3 U = reference::enclose_exactly(frame.U);

@@ -11,11 +11,11 @@ namespace raycheck::properties {
 
 namespace {
 
-/// A factor that exceeds all roundings of a few operations.
+/// A factor that outweighs the roundings of a few operations.
 constexpr double kOfRoundings = 1 + 0x1p-40;
 
-/// An upper bound of the factor by which plain_change() enlarges the excused change, over these
-/// rays and spheres.
+/// An upper bound, for these rays and spheres, of the factor by which plain_change() enlarges the
+/// excused change.
 double most_growth(const Candidate& candidate, const scene::Box<scene::Ray>& rays,
                    const scene::Box<scene::Sphere>& spheres) {
   if (candidate.level != Level::kOrdinary) return 1;
@@ -48,7 +48,8 @@ bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Cas
                         kind.quantity == Quantity::kClass &&
                         (missed || kind.wrong == Wrong::kFalseHit);
   const scene::Conventions conventions = candidate.declared.over(least.conventions);
-  // If both ends lie in the domain, so do all lengths, except for ranges from 0 and for distances.
+  // If both ends lie in the domain, all lengths between them do, except in ranges from 0 and except
+  // distances.
   const bool has_points = std::any_of(least.spheres.begin(), least.spheres.end(),
                                       [](const scene::Sphere& one) { return one.radius == 0; });
   if (!candidate.classes_in || !is_class || !conventions.valid.is_usual() || least.camera ||

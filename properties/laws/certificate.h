@@ -2,18 +2,18 @@
 
 #include "properties/candidate.h"
 #include "properties/case.h"
+#include "properties/discrepancy.h"
 #include "properties/laws/law.h"
-#include "properties/verdict.h"
 #include "scene/geometry.h"
 
 namespace raycheck::properties {
 
-/// Whether one answer is proved to be a defect of this kind in every case of a box: the only hit
-/// class that the candidate's formula can have there, all rounding included
-/// (Functions::classes_in), is not the exact one, and no inputs within its excused change have it.
-/// False without a proof, which exists only for wrong hit classes on given rays, where every root
-/// >= 0 counts. Domain: cases that differ in one number of one sign; both ends break the law.
-/// Source: fast/internal/between.h; reference/interval_ray.h.
+/// Whether an answer is proved to be a defect of this kind in every case of a box: the candidate's
+/// formula, all rounding included (Functions::classes_in), can have only one hit class there; that
+/// class is wrong, and no inputs within the excused change have it. False if there is no proof.
+/// Proofs exist only for wrong hit classes on given rays, if every root >= 0 counts. Domain: cases
+/// that differ in one number, which does not change sign; both ends break the law. Source:
+/// fast/internal/between.h; reference/interval_ray.h.
 bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Case>& cases,
                 DefectKind kind);
 

@@ -28,7 +28,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
   const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
   const std::int64_t width = camera.width;
   if (image.size() != static_cast<std::size_t>(width * camera.height)) {
-    throw CandidateFailed("image: pixels are missing");
+    throw CandidateFailed("image() returned too few or too many pixels");
   }
   const SpheresMet met = spheres_met(trial);
   std::size_t unidentified = 0;
@@ -41,7 +41,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
     judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
   }
   if (unidentified > 0) {
-    verdict.leave_out("pixels whose colour is not that of a sphere: judged only as hit or miss");
+    verdict.leave_out("pixels whose colour is not that of a sphere are judged only as hit or miss");
   }
 }
 

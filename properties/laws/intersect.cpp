@@ -22,7 +22,7 @@ using reference::Enclosure3;
 using reference::ExactRay;
 using reference::Intersection;
 
-/// A ray and a sphere that meet according to the candidate, the truth, or both.
+/// A ray and a sphere that meet according to the candidate, the truth or both.
 struct Encounter {
   Encounter(Trial& of, std::size_t ray_index, std::size_t sphere_index, const HitAnswer* hit,
             const Intersection* at)
@@ -39,7 +39,8 @@ struct Encounter {
   double rounded_s() const { return ray.rounded_parameter(sphere, *exact, trial.precision()); }
   bool is_at_other_root() const {
     const double s = answer->parameter;
-    // Roots may be closer than numbers of the format: the correctly rounded one is never wrong.
+    // Roots may be closer to each other than numbers of the format; the correctly rounded one is
+    // never wrong.
     return reference::is_at_other_root(ray, sphere, *exact, s) && s != rounded_s();
   }
   /// Whether the candidate reports a hit outside the interval by which it is judged.
@@ -60,14 +61,14 @@ struct Encounter {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
-  /// plain_change() where the textbook's roundings may be as large as d^2, so that no condition
-  /// number bounds their effect on s; else 0.
+  /// plain_change() if the textbook's roundings may be as large as d^2, so that no condition number
+  /// bounds their effect on s; otherwise 0.
   double plain_blur() const {
     const double change = properties::plain_change(trial.candidate(), ray, sphere);
     const double roundings = excused_change(trial.candidate().unit_roundoff) * change;
     return reference::half_chord_share(ray, sphere) <= roundings ? change : 0;
   }
-  /// plain_condition() of s: infinite where s is right for inputs that are changed by plain_blur().
+  /// plain_condition() of s; infinite if s is right for inputs that are changed by plain_blur().
   double plain_condition() const {
     const double blur = plain_blur();
     const double bound = trial.bound(Quantity::kBackwardError) * bound_growth(blur);
@@ -77,7 +78,7 @@ struct Encounter {
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
     return std::isinf(condition) ? 0 : condition;
   }
-  /// The condition number of s as a share of a length. At a tangent Q slides along the sphere.
+  /// The condition number of s relative to a length. At a tangent, Q slides along the sphere.
   double plain_condition_over(const Enclosure& length) const {
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
     if (std::isinf(condition)) return plain_blur();
@@ -94,8 +95,8 @@ struct Encounter {
   const Intersection* exact;  ///< Null: a miss.
 };
 
-/// Calls visit(encounter) for all that are judged, sphere by sphere; all other pairs are misses for
-/// both the candidate and the truth.
+/// Calls visit(encounter) for all encounters that are judged, sphere by sphere. All other judged
+/// pairs are misses for both the candidate and the truth.
 template <class Visit>
 void for_each_encounter(Trial& trial, Visit visit) {
   const scene::Tangent tangent = trial.conventions().tangent;
@@ -122,7 +123,7 @@ void for_each_encounter(Trial& trial, Visit visit) {
   }
 }
 
-/// Calls visit(encounter) where both the candidate and the truth have a hit, at one root.
+/// Calls visit(encounter) if both the candidate and the truth have a hit, at the same root.
 template <class Visit>
 void for_each_common_hit(Trial& trial, Visit visit) {
   for_each_encounter(trial, [&](const Encounter& at) {
@@ -130,7 +131,7 @@ void for_each_common_hit(Trial& trial, Visit visit) {
   });
 }
 
-/// The number of pairs that are not judged.
+/// The number of pairs that are not judged: exact tangents.
 std::size_t count_unjudged(Trial& trial) {
   std::size_t count = 0;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
@@ -157,12 +158,20 @@ void judge_class(Trial& trial, Verdict& verdict) {
     --misses;
   });
   verdict.judged_right(Quantity::kClass, Expected::kMiss, misses);
-  if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
+  if (unjudged > 0) verdict.leave_out("exact tangents are not judged under tangent = either");
 }
 
-void leave_out_without_hits(Verdict& verdict) {
-  if (verdict.compared() == 0)
-    verdict.leave_out("no hit that both the candidate and the reference find");
+/// If no hit was compared, leaves the law out with the reason.
+void leave_out_without_hits(Trial& trial, Verdict& verdict) {
+  if (verdict.compared() > 0) return;
+  bool has_exact = false, has_common = false;
+  for_each_encounter(trial, [&](const Encounter& at) {
+    has_exact = has_exact || at.exact != nullptr;
+    has_common = has_common || (at.exact != nullptr && at.answer != nullptr);
+  });
+  verdict.leave_out(!has_exact   ? "no ray hits a sphere"
+                    : has_common ? "the candidate finds no hit at the right root"
+                                 : "the candidate misses every hit");
 }
 
 void judge_root(Trial& trial, Verdict& verdict) {
@@ -174,7 +183,7 @@ void judge_root(Trial& trial, Verdict& verdict) {
          at.is_at_other_root() || at.is_excluded() ? Wrong::kWrongRoot : Wrong::kNot},
         [&] { return at.excuse(); }, [&](Discrepancy& d) { at.describe(d); });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 void judge_parameter(Trial& trial, Verdict& verdict) {
@@ -188,13 +197,13 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
         [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); },
         [&] { return at.plain_condition(); });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 void judge_backward_error(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
-    // This is already a change of the inputs: only the excess of a formula's condition number over
-    // the problem's magnifies it.
+    // A backward error is already a change of the inputs, so it may grow only by the ratio of the
+    // formula's condition number to the problem's.
     trial.measure(
         verdict, {Quantity::kBackwardError, at.place(), at.backward_error()}, [] { return 1; },
         [&](Discrepancy& d) { d.got = {at.answer->parameter}; }, {},
@@ -204,12 +213,12 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
           return at.plain_condition() / trial.condition_of_parameter(at.ray_at, at.sphere_at);
         });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
-/// The distances of the candidate's point from its sphere and its ray, as shares of r and of s |D|.
-/// Both are differences of world coordinates, so their condition is the size of these over r and
-/// s |D|.
+/// Judges the distances of the candidate's point from its sphere, relative to r, and from its ray,
+/// relative to s |D|. Both are differences of world coordinates, so their condition numbers are the
+/// size of these coordinates over r and over s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const ExactRay& ray = at.ray;
   const scene::Sphere& sphere = at.sphere;
@@ -225,7 +234,7 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
           const Enclosure3 origin = ray.enclose(256).origin();
           const Enclosure radius(sphere.radius, 256);
           const Enclosure size = norm(point) + norm(centre) + norm(origin) + radius;
-          // At a double root s moves the point along the surface.
+          // At a double root, an error of s moves the point along the surface.
           const double of_point = reference::condition_of_point(ray, sphere, *at.exact);
           return (size / scale(point - origin, radius)).upper() *
                  (std::isinf(of_point) ? 1 : of_point);
@@ -254,16 +263,16 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         [&] { return at.backward_error(); },
         [&] {
           const double of_s = at.plain_condition();
-          // Then only the residuals limit Q.
+          // Then only the residuals limit the error of Q.
           if (std::isinf(of_s)) return of_s;
           return at.plain_condition_over(norm(at.ray.enclose(256).point(at.sphere, *at.exact)));
         });
     judge_residuals(trial, verdict, at);
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
-/// The same pixel's answers from both origins.
+/// The answers about one pixel from both origins.
 struct BothOrigins {
   const ExactRay& eye_ray;
   const ExactRay& pixel_ray;
@@ -281,11 +290,11 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
              both.pixel_ray.rounded_parameter(sphere, at, both.precision)};
 }
 
-/// Judges whether an answer is at the other root than the exact one, which both rays share, and
-/// returns whether either is. The two parameters then differ by a chord, not by l, however accurate
-/// both are: a ray that starts within a rounding of the surface has its near root before or behind
-/// its origin, depending on that rounding. As in the laws `class` and `nearest-root` it is excused
-/// only if nearby inputs have that root.
+/// Judges whether each answer is at the root that is exact for both rays, and returns whether one
+/// is not. The two parameters then differ by a chord, not by l, even if both are accurate: if a ray
+/// starts within a rounding of the surface, that rounding decides whether its near root is before
+/// or behind its origin. As in the laws `class` and `nearest-root`, a wrong root is excused only if
+/// nearby inputs have it.
 bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
                       const Intersection& at) {
   const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
@@ -305,10 +314,10 @@ bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const 
   return is_other_root;
 }
 
-/// The same point from both origins: s from the eye is s from the pixel point plus l.
+/// Both rays find the same point: s from the eye is s from the pixel point plus l.
 void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   if (!trial.conventions().valid.is_usual()) {
-    return verdict.leave_out("t_min and t_max count from another origin");
+    return verdict.leave_out("t_min and t_max count from the origin of the ray, which differs");
   }
   const Candidate& candidate = trial.candidate();
   scene::Conventions from_pixel = trial.conventions();
@@ -334,7 +343,8 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
       const ExactRay pixel_ray(pixel_camera, trial.pixels()[k]);
       const ExactRay eye_ray(eye_camera, trial.pixels()[k]);
       const Intersection at = eye_ray.intersect(the_sphere, from_eye.root);
-      // From the pixel another root or hit class is exact: the sphere reaches behind the pixel.
+      // The exact root or hit class from the pixel differs, because the sphere reaches behind the
+      // pixel.
       if (at.hit_class != reference::HitClass::kHit ||
           !(at == pixel_ray.intersect(the_sphere, from_pixel.root))) {
         continue;
@@ -419,7 +429,8 @@ constexpr Law kIntersectLawTable[] = {
      .stage = Stage::kIntersection,
      .judge = judge_hit_point},
     {.name = "focal-and-pixel",
-     .sentence = "focal and pixel origins find the same point, parameters l apart",
+     .sentence =
+         "rays from E and from P hit the same point, and their s differ by the length of P - E",
      .per = Per::kPair,
      .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
               Needs::kPoints,

@@ -19,18 +19,31 @@ namespace raycheck::properties {
 namespace {
 
 struct Need {
-  Needs of;  ///< The needs to which it belongs.
+  Needs of;  ///< Its bits in Needs.
   bool (*is_met)(const Trial&);
-  std::string_view reason;    ///< Why a law is left out if it is not met.
-  bool is_of_scenes = false;  ///< Else it is about candidates.
+  std::string_view reason;    ///< Why a law is left out if the need is not met.
+  bool is_of_scenes = false;  ///< Whether it is about scenes. If not, it is about candidates.
 };
 
 bool has_camera(const Trial& trial) { return trial.scene().camera.has_value(); }
 
-/// Whether a candidate has one of its functions.
+/// Whether a candidate has this function.
 template <auto Functions::*function>
 bool has(const Trial& trial) {
   return static_cast<bool>(trial.candidate().*function);
+}
+
+/// Whether a candidate has a function other than `image`.
+bool has_other_than_image(const Trial& trial) {
+  const Functions& its = trial.candidate();
+  return !its.image || its.frame || its.pixel_points || its.pixel_rays || its.focal_rays ||
+         its.intersect || its.nearest;
+}
+
+/// Whether a trial has rays, or starts them elsewhere than at `origin`.
+template <scene::Origin origin>
+bool has_rays_from(const Trial& trial) {
+  return trial.has_rays() || trial.conventions().origin != origin;
 }
 
 /// In the order of checking: an image has a size only where there is a camera.
@@ -38,14 +51,14 @@ constexpr Need kNeeds[] = {
     {Needs::kImage, has<&Functions::image>, "the candidate draws no images"},
     {Needs::kMadeRays, has_camera, "the rays are given, not made from a camera", true},
     {kOfCameras, has_camera, "the scene has no camera", true},
+    {kOfFunctions, has_other_than_image, "a renderer is judged only by its pictures"},
     {Needs::kFrame, has<&Functions::frame>, "the candidate does not implement frame()"},
     {Needs::kPixelPoints, has<&Functions::pixel_points>,
      "the candidate does not implement pixel_point()"},
-    {Needs::kBothOrigins,
-     [](const Trial& trial) {
-       return has<&Functions::pixel_rays>(trial) && has<&Functions::focal_rays>(trial);
-     },
-     "the candidate makes rays from only one origin"},
+    {Needs::kBothOrigins, has<&Functions::pixel_rays>,
+     "the candidate does not implement pixel_ray()"},
+    {Needs::kBothOrigins, has<&Functions::focal_rays>,
+     "the candidate does not implement focal_ray()"},
     {Needs::kIntersect, has<&Functions::intersect>, "the candidate does not implement intersect()"},
     {Needs::kEither | Needs::kParameters | Needs::kPoints,
      [](const Trial& trial) { return trial.candidate().interface.returns != Returns::kClass; },
@@ -56,16 +69,16 @@ constexpr Need kNeeds[] = {
     {Needs::kPoints, [](const Trial& trial) { return gives_point(trial.candidate().interface.returns); },
      "the candidate returns s, not points"},
     {Needs::kNearest, has<&Functions::nearest>, "the candidate does not implement nearest()"},
-    {Needs::kVisible, has<&Functions::visible>, "the candidate does not implement visible()"},
-    {Needs::kPlan, has<&Functions::plan>, "the candidate does not implement plan()"},
+    {Needs::kVisible, has<&Functions::visible>, "only some of raycheck's methods have visible()"},
+    {Needs::kPlan, has<&Functions::plan>, "only some of raycheck's methods have plan()"},
     {Needs::kRefusals, [](const Trial& trial) { return trial.candidate().refuses; },
-     "this kind of candidate is never given invalid input"},
+     "only raycheck's methods are given invalid input"},
     {Needs::kImage,
      [](const Trial& trial) {
        const scene::Camera& camera = *trial.scene().camera;
        return camera.width <= trial.candidate().most_image_pixels / camera.height;
      },
-     "the image is larger than the candidate draws"},
+     "the image is larger than those that the candidate is asked for"},
     {Needs::kSpheres, [](const Trial& trial) { return !trial.scene().spheres.empty(); },
      "the scene has no spheres", true},
     {Needs::kVisible,
@@ -73,11 +86,13 @@ constexpr Need kNeeds[] = {
        const scene::Camera& camera = *trial.scene().camera;
        return std::max(camera.width, camera.height) <= trial.candidate().most_visible_across;
      },
-     "the image is larger than visible() is asked for"},
-    {Needs::kRays | Needs::kMadeRays, [](const Trial& trial) { return trial.has_rays(); },
-     "the candidate does not make rays from this origin"},
+     "the image is larger than those that visible() is asked for"},
+    {Needs::kRays | Needs::kMadeRays, has_rays_from<scene::Origin::kPixel>,
+     "the candidate does not implement pixel_ray()"},
+    {Needs::kRays | Needs::kMadeRays, has_rays_from<scene::Origin::kFocal>,
+     "the candidate does not implement focal_ray()"},
     {Needs::kSeveralSpheres, [](const Trial& trial) { return trial.scene().spheres.size() > 1; },
-     "one sphere: already judged as hit or miss", true},
+     "the scene has one sphere, which is judged as hit or miss", true},
 };
 
 }  // namespace
@@ -154,12 +169,13 @@ struct LawJudgement {
   bool failed = false;
 };
 
-/// Whether each sphere of a ray is a separate question. A ray that cannot be made is one question.
+/// Whether each sphere of a ray is a separate question. If a ray cannot be made, it is one
+/// question.
 bool asks_by_sphere(const Law& law, const Trial& trial) {
   return law.per == Per::kPair && !trial.lacks_rays();
 }
 
-/// A law's verdict on a candidate that threw an exception with this message.
+/// The verdict of a law if the candidate threw an exception with this message.
 LawJudgement judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
                             const FailureSite& failed = {}) {
   Verdict verdict(law.name);
@@ -185,8 +201,8 @@ bool asks_apart(const Law& law) {
 
 LawJudgement judge(const Law& law, Trial& trial);
 
-/// Judges the halves one by one. If the whole is known to fail and the first half does not, the
-/// second is to blame, and is halved at once.
+/// Judges the halves one after the other. If the whole is known to fail and the first half does
+/// not, the second half is to blame, and is halved at once.
 LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   LawJudgement all{Verdict(law.name)};
@@ -204,7 +220,8 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// After a failed batch, at this line if it is known: judges the question to blame, or the halves.
+/// Called after a batch failed, at this line if it is known. Judges the failure if the batch is one
+/// question, otherwise the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
                          const std::optional<CodeLine>& line = {}, bool timed_out = false) {
   FailureSearch* const search = trial.options().search;
@@ -233,7 +250,7 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
   return judged;
 }
 
-/// The candidate fails on every question: a search reports that once.
+/// The verdict if the candidate fails on every question; a search reports that once.
 LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {

@@ -20,10 +20,10 @@ enum class Needs : unsigned {
   // Of a camera:
   kFrame = 1 << 0,
   kPixelPoints = 1 << 1,
-  kMadeRays = 1 << 2,     ///< Under the origin convention, not given ones.
+  kMadeRays = 1 << 2,     ///< Rays that the candidate makes under the origin convention.
   kBothOrigins = 1 << 3,  ///< Rays from the pixel points and rays from the eye.
-  kVisible = 1 << 4,      ///< Spheres seen, in an image not too large for the candidate.
-  kImage = 1 << 5,        ///< An image, not too large for the candidate.
+  kVisible = 1 << 4,      ///< The spheres seen; the image must not be too large for the candidate.
+  kImage = 1 << 5,        ///< An image that is not too large for the candidate.
   kPlan = 1 << 6,
   // Of rays, whether made or given:
   kRays = 1 << 7,
@@ -36,36 +36,40 @@ enum class Needs : unsigned {
   // Of the values that a candidate returns for a hit:
   kParameters = 1 << 13,  ///< s, or a distance.
   kPoints = 1 << 14,      ///< Q
-  kEither = 1 << 15       ///< One of the two.
+  kEither = 1 << 15       ///< kParameters or kPoints.
 };
 constexpr Needs operator|(Needs a, Needs b) {
   return static_cast<Needs>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
-/// Whether one of `some` is needed.
+/// Whether `needs` contains one of `some`.
 constexpr bool needs_any(Needs needs, Needs some) {
   return (static_cast<unsigned>(needs) & static_cast<unsigned>(some)) != 0;
 }
 
-/// The needs that only scenes with a camera meet, and those that only candidates that intersect
-/// rays with spheres meet.
+/// kOfCameras: only scenes with a camera meet these. kOfIntersections: only candidates that
+/// intersect rays with spheres meet these.
 inline constexpr Needs kOfCameras = Needs::kFrame | Needs::kPixelPoints | Needs::kMadeRays |
                                     Needs::kBothOrigins | Needs::kVisible | Needs::kImage |
                                     Needs::kPlan;
 inline constexpr Needs kOfIntersections =
     Needs::kIntersect | Needs::kNearest | Needs::kVisible | Needs::kImage | Needs::kPlan;
+/// The needs that only candidates with functions other than `image` meet.
+inline constexpr Needs kOfFunctions = Needs::kFrame | Needs::kPixelPoints | Needs::kMadeRays |
+                                      Needs::kBothOrigins | Needs::kVisible | Needs::kPlan |
+                                      Needs::kRays | Needs::kIntersect | Needs::kNearest;
 
-/// The first need that a trial does not meet, as a sentence; empty when it meets all.
+/// The first need that a trial does not meet, as a sentence; empty if it meets all.
 std::string_view what_is_missing(Needs needs, const Trial& trial);
-/// Whether its scene meets all needs, regardless of the candidate.
+/// Whether the trial's scene meets all needs, regardless of the candidate.
 bool scene_suits(Needs needs, const Trial& trial);
 
 /// A case with a camera's rays as given rays, and the pixel of each.
 struct GivenRays {
   Case the_case;
   std::vector<scene::Pixel> pixels;
-  std::int64_t width = 0;  ///< Of the image.
+  std::int64_t width = 0;  ///< The width of the image.
 
-  /// Replaces the ray in a place by its pixel.
+  /// The place with its ray replaced by the ray's pixel.
   Place place(Place of_ray) const;
 };
 
@@ -79,34 +83,35 @@ std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventio
 /// The unit that a law judges: a scene, a ray, a ray with a sphere, or an image.
 enum class Per { kScene, kRay, kPair, kImage };
 
-/// One law: a function from (case, candidate, truth), bundled as a Trial, to a verdict: it holds,
-/// it does not apply to the scene or the candidate, or there are discrepancies. All properties of
-/// laws that callers use are here: callers do not depend on the names of laws.
+/// One law: a function from a Trial (a case, a candidate and the truth) to a Verdict. The verdict
+/// is that the law holds, that it does not apply to the scene or the candidate, or a list of
+/// discrepancies. Callers use these members and never depend on the names of laws.
 struct Law {
   std::string_view name;
   std::string_view sentence;
   Per per;
   Needs needs;
-  Quantity quantity;  ///< The first that it judges.
-  /// It compares single answers with the truth, one quantity at a time, as `check` reports them;
-  /// the other laws relate several answers to each other, an answer to the ray that the candidate
-  /// made for it, or a plan to the spheres that it leaves out.
+  Quantity quantity;  ///< The first quantity that it judges.
+  /// Whether it compares single answers with the truth, one quantity at a time, as `check` reports
+  /// them. The other laws relate several answers to each other, an answer to the ray that the
+  /// candidate made for it, or a plan to the spheres that it leaves out.
   bool judges_values = false;
-  /// The stage that it judges, if it is about only one.
+  /// The stage that it judges; empty if it is about both.
   std::optional<Stage> stage = {};
-  /// Whether it measures the stability of that stage (rather than what follows from other laws).
+  /// Whether it measures the stability of that stage, rather than something that follows from other
+  /// laws.
   bool tells_stability = false;
-  /// Called only where its needs are met. It may still leave the case out, with a reason.
+  /// Called only if `needs` are met. It may still leave the case out, with a reason.
   void (*judge)(Trial&, Verdict&) = nullptr;
 };
 
-/// Whether a law is about cameras, so that it needs scenes with one.
-constexpr bool speaks_of_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }
-/// Whether it is about intersections of rays and spheres.
-constexpr bool speaks_of_intersections(const Law& law) {
+/// Whether a law needs scenes with a camera.
+constexpr bool is_about_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }
+/// Whether a law is about intersections of rays and spheres.
+constexpr bool is_about_intersections(const Law& law) {
   return needs_any(law.needs, kOfIntersections);
 }
-/// Whether its answers are only right or wrong, each compared with the truth.
+/// Whether a law compares each answer with the truth, and answers are only right or wrong.
 constexpr bool judges_decisions(const Law& law) {
   return law.judges_values && is_decision(law.quantity);
 }
@@ -114,7 +119,7 @@ constexpr bool judges_decisions(const Law& law) {
 /// Every law, in the order of reports.
 std::span<const Law> laws();
 
-/// The laws for which a condition holds, in the same order.
+/// The laws for which a condition holds, in the order of reports.
 template <class Condition>
 std::vector<const Law*> laws_that(const Condition& holds) {
   std::vector<const Law*> found;
@@ -124,13 +129,13 @@ std::vector<const Law*> laws_that(const Condition& holds) {
   return found;
 }
 
-/// The law of that name, or null.
+/// The law with this name, or null.
 const Law* find_law(std::string_view name);
 
-/// The law's verdict, left out with the reason where its needs are not met. A candidate that
-/// refuses the case, which is valid, or fails in another way, is a discrepancy. If the trial has a
-/// search, a failed batch is asked again in halves: the questions to blame are discrepancies, at
-/// most kMostFailuresSought of them, and the answers to the others are judged.
+/// The law's verdict. If its needs are not met, the case is left out, with the reason. If the
+/// candidate refuses the case, which is valid, or fails in another way, that is a discrepancy. If
+/// the trial has a search, a failed batch is asked again in halves: at most kMostFailuresSought
+/// questions to blame become discrepancies, and the answers to the others are judged.
 Verdict apply(const Law& law, Trial& trial);
 
 /// A candidate's trial on a case. If the candidate intersects rays but does not make them, laws

@@ -19,13 +19,14 @@ extern const std::span<const Law> kPlanLaws;           // plan.cpp
 extern const std::span<const Law> kMetamorphicLaws;    // metamorphic.cpp
 extern const std::span<const Law> kRefusalLaws;        // refusal.cpp
 
-/// The term that the textbook's formula adds to the condition number of s: 0 where the candidate
+/// The term that the textbook's formula adds to the condition number of s. It is 0 if the candidate
 /// promises more than ordinary cases, and beyond kOrdinaryDistance.
 double plain_condition(const Candidate& candidate, const reference::ExactRay& ray,
                        const scene::Sphere& sphere, const reference::Intersection& at);
 
-/// The term that the lecture's P - E, with P computed as E + n W + ..., adds to that of D: 0 where
-/// the candidate promises more than ordinary cases, and beyond kOrdinaryDistance.
+/// The term that the lecture's P - E, with P computed as E + n W + ..., adds to the condition
+/// number of D. It is 0 if the candidate promises more than ordinary cases, and beyond
+/// kOrdinaryDistance.
 double plain_condition(const Candidate& candidate, const reference::ExactRay& ray);
 
 /// The coordinates as a list, for reports.

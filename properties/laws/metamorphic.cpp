@@ -25,8 +25,8 @@ constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 /// A transformation of a case.
 struct Transformation {
   std::string what;
-  scene::Vector3 (*map)(const scene::Vector3&);  ///< Of directions.
-  double factor = 1;                             ///< Of parameters.
+  scene::Vector3 (*map)(const scene::Vector3&);  ///< Maps directions.
+  double factor = 1;                             ///< Multiplies parameters.
 };
 
 /// A candidate's answer about a ray and a sphere.
@@ -48,17 +48,17 @@ scene::Measured error_between(const PairAnswer& first, const PairAnswer& second,
                               bool is_hit) {
   const scene::Precision precision = first.trial.precision();
   const double s = first.hit->parameter, other = second.hit->parameter;
-  // In ulp: gradual underflow is not held against a method.
+  // In ulp, so that gradual underflow is not a defect.
   const scene::Measured error = reference::ulp_error(other, Enclosure(s * factor, 128), precision);
   if (!std::isinf(error.value) || !is_hit || !std::isfinite(other)) return error;
-  // One of them is 0: the error is relative to the exact one.
+  // If one parameter is 0, the error is relative to the exact one.
   const Enclosure apart = Enclosure(other, 128) / Enclosure(factor, 128) - Enclosure(s, 128);
   return reference::in_units_of_u(
       apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
-/// The exact answers, equal in hit class and root, show which of two contradicting answers is
-/// wrong, and give the condition number of a pair.
+/// The exact answers have the same hit class and root for both cases. They show which of two
+/// contradicting answers is wrong, and give the condition number.
 void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
                   const Transformation& by) {
   Trial& trial = first.trial;
@@ -69,7 +69,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   if (differ && unjudged) return;
   const Place place = trial.place(first.ray, first.sphere_index);
   const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
-  // Two answers that are equally wrong agree, but are not right.
+  // Two answers that are wrong in the same way agree, but are not right.
   if (!differ && !unjudged && (first.hit != nullptr) != is_hit) {
     return verdict.not_right(Quantity::kClass, expected);
   }
@@ -79,11 +79,12 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
     if (second.hit != nullptr) d.got = {second.hit->parameter};
     if (first.hit != nullptr) d.exact = {first.hit->parameter * by.factor};
   };
-  // If two contradict each other in hit class or root, the wrong one is shown beside the truth.
+  // If the answers contradict each other in hit class or root, the discrepancy shows the wrong
+  // answer and the truth.
   const auto describe_wrong = [&](bool is_first_wrong) {
     return [&, is_first_wrong](Discrepancy& d) {
       const HitAnswer* hit = (is_first_wrong ? first : second).hit;
-      d.what = (is_first_wrong ? "right only when " : "") + by.what;
+      d.what = (is_first_wrong ? "right only with " : "") + by.what;
       d.symbol = info(Quantity::kParameter).symbol;
       d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
       if (hit != nullptr && !d.got_some_sphere) d.got = {hit->parameter};
@@ -102,8 +103,8 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   const scene::Measured error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
   if (is_hit) {
-    // Parameters at different roots differ by a chord, however accurate both are; two at the other
-    // root agree, but are not right, and the condition number belongs to the right one.
+    // Parameters at different roots differ by a chord, even if both are accurate. Two at the wrong
+    // root agree, but are not right; the condition number is that of the right root.
     const bool is_above = error.in(trial.precision()).value > bound;
     const bool is_at_other = is_above && first.is_at_other_root();
     const bool is_other_root = is_above && is_at_other != second.is_at_other_root();
@@ -151,7 +152,7 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
   }
 }
 
-/// The reason why neither directions nor hits can be compared; empty if one of them can.
+/// The reason why neither directions nor hits can be compared; empty if directions or hits can.
 std::string_view why_nothing_to_compare(const Trial& trial) {
   return trial.scene().camera ? std::string_view() : what_is_missing(kOfHits, trial);
 }
@@ -169,8 +170,8 @@ void compare(Trial& trial, Verdict& verdict, const Scene& scene, const Transform
   }
 }
 
-/// The scene with every length times 2^exponent; directions and `up` as they are. Empty where that
-/// would round in the format.
+/// The scene with every length multiplied by 2^exponent; directions and `up` stay. Empty if a
+/// number would be rounded in the format.
 std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precision) {
   bool exact = true;
   for_each_length(scene, [&](double& x) {
@@ -178,7 +179,8 @@ std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precisio
     exact = exact && std::isfinite(result) && std::ldexp(result, -exponent) == x;
     x = result;
   });
-  // s is a length, or counts directions, which are not scaled: both scale with lengths.
+  // Ends are lengths or multiples of directions. Directions are not scaled, so both scale with
+  // lengths.
   scene::ValidRoots& valid = scene.conventions.valid;
   if (valid.unit != scene::TUnit::kRadius) {
     for (double* t : {&valid.t_min, &valid.t_max}) {
@@ -208,36 +210,36 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     is_tried = true;
     compare(trial, verdict, *scene,
-            {"scaled by 2^" + std::to_string(exponent), [](const scene::Vector3& v) { return v; },
-             std::ldexp(1.0, exponent)});
+            {"lengths scaled by 2^" + std::to_string(exponent),
+             [](const scene::Vector3& v) { return v; }, std::ldexp(1.0, exponent)});
   }
-  if (!is_tried) verdict.leave_out("every scaled scene leaves the candidate's stated domain");
+  if (!is_tried) verdict.leave_out("every scaled scene lies outside the candidate's domain");
 }
 
 /// A permutation of the world axes with signs: coordinates are never rounded.
 struct AxesMap {
   const char* what;
-  bool is_mirror;  ///< It makes a right-handed frame left-handed, so it is not for cameras.
+  bool is_mirror;  ///< It makes right-handed frames left-handed, so it is not used for cameras.
   scene::Vector3 (*apply)(const scene::Vector3&);
 };
 constexpr AxesMap kAxesMaps[] = {
-    {"axes permuted: (y, z, x)", false,
+    {"axes permuted to (y, z, x)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.y, v.z, v.x};
      }},
-    {"axes negated: (-x, -y, z)", false,
+    {"axes negated to (-x, -y, z)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {-v.x, -v.y, v.z};
      }},
-    {"axes negated: (x, -y, -z)", false,
+    {"axes negated to (x, -y, -z)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.x, -v.y, -v.z};
      }},
-    {"axes swapped: (y, x, z)", true,
+    {"axes swapped to (y, x, z)", true,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.y, v.x, v.z};
      }},
-    {"axis negated: (x, y, -z)", true,
+    {"axes negated to (x, y, -z)", true,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.x, v.y, -v.z};
      }},
@@ -270,7 +272,7 @@ void judge_axes(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// a + b, if that is a number of the format.
+/// a + b, if the sum is a number of the format.
 std::optional<double> exact_sum(double a, double b, scene::Precision precision) {
   const double sum = a + b;
   const double b_part = sum - a;
@@ -289,7 +291,7 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precisio
   return x && y && z ? std::optional(To{*x, *y, *z}) : std::nullopt;
 }
 
-/// Two cameras with the same axes: the candidate's frames must agree.
+/// Compares the candidate's frames of two cameras with the same axes.
 void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_camera,
                     const std::string& what) {
   if (!scene::defects(other_camera).empty()) return;
@@ -318,7 +320,7 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
   compare("W", other.W, frame.W);
 }
 
-/// Adds multiples of E - A to look-at or `up`, if no step rounds: the axes do not change.
+/// Adds multiples of E - A to look-at or `up`, if that needs no rounding. The axes do not change.
 template <class Moved>
 void judge_moved(Trial& trial, Verdict& verdict, Moved scene::Camera::*member,
                  std::initializer_list<double> multiples, const char* what) {
@@ -339,18 +341,19 @@ void judge_look_at(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::look_at, {0.5, -1, -2, -8},
               "look-at moved along the view axis");
   if (verdict.compared() == 0)
-    verdict.leave_out("no point A + k (A - E) that was tried is representable");
+    verdict.leave_out("each point A + k (A - E) that was tried would be rounded");
 }
 
 void judge_up(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::up, {-1, 0.5, 1, 4}, "up + k (E - A)");
   if (verdict.compared() == 0)
-    verdict.leave_out("no vector up + k (E - A) that was tried is representable");
+    verdict.leave_out("each vector up + k (E - A) that was tried would be rounded");
 }
 
 void judge_growing_radius(Trial& trial, Verdict& verdict) {
   if (trial.conventions().root != scene::Root::kNearest) {
-    return verdict.leave_out("with root = smaller, a grown sphere may swallow the origin");
+    return verdict.leave_out(
+        "with root = smaller, a hit may become a miss: a grown sphere may contain the origin");
   }
   if (!trial.conventions().valid.is_usual()) {
     return verdict.leave_out(
@@ -395,7 +398,7 @@ constexpr Law kMetamorphicLawTable[] = {
      .quantity = Quantity::kInvariance,
      .judge = judge_scaling},
     {.name = "axes",
-     .sentence = "permuting or negating axes does the same to every answer",
+     .sentence = "permuting or negating the axes permutes or negates every answer",
      .per = Per::kRay,
      .needs = Needs::kRays,
      .quantity = Quantity::kInvariance,

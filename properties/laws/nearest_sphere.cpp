@@ -16,7 +16,7 @@ using reference::NearestSphere;
 
 constexpr int kDistanceBits = 256;
 
-/// The pixels of the case, and some spread over the image.
+/// The pixels of the case, and others spread over the image.
 std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
   constexpr std::int64_t kMost = 4;
   std::vector<scene::Pixel> pixels = trial.pixels();
@@ -42,7 +42,7 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     const auto& exact = trial.exact_nearest()[k];
     const Index last_first = backwards.at(k);
     const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
-    // One question per ray: the answer is right if it is right in both orders.
+    // One decision per ray: the answer is right if it is right in both orders of the spheres.
     Choice choice{k, trial.nearest()[k], exact};
     if (is_right(choice)) {
       choice.got = reversed_got;
@@ -89,7 +89,8 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
   Case wider{trial.scene(), with_spread_pixels(trial)};
   Trial seen(wider, trial.candidate());
   const auto answers = trial.candidate().visible(trial.scene(), trial.conventions(), wider.pixels);
-  if (answers.size() != wider.pixels.size()) throw CandidateFailed("visible: answers missing");
+  if (answers.size() != wider.pixels.size())
+    throw CandidateFailed("visible() returned too few or too many answers");
   const bool exactly = trial.candidate().exact_visible;
   const SpheresMet met = spheres_met(seen);
   for (std::size_t k = 0; k < answers.size(); ++k) {

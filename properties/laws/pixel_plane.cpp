@@ -26,8 +26,8 @@ std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
 
-/// The candidate's points and the exact camera that they are compared with: the trial's, or one
-/// with the same axes.
+/// The candidate's points and the exact camera with which they are compared: the trial's camera, or
+/// one with the same axes.
 class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
@@ -38,7 +38,8 @@ class PlaneAnswers {
                     : reference::ExactCamera(camera, trial.conventions())),
         pixels_(std::move(pixels)),
         points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
-    if (points_.size() != pixels_.size()) throw CandidateFailed("pixel points are missing");
+    if (points_.size() != pixels_.size())
+      throw CandidateFailed("pixel_point() returned too few or too many points");
   }
 
   std::size_t size() const { return pixels_.size(); }
@@ -58,7 +59,7 @@ class PlaneAnswers {
   Enclosure3 exact_position(std::size_t k) const {
     return camera_.plane_position(pixels_[k], kBits);
   }
-  /// A relation is conditioned no better than the points that it relates.
+  /// The condition number of a relation is that of the worst of the points that it relates.
   double worst_condition() const {
     double worst = 0;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -85,10 +86,10 @@ scene::Measured relative(const Enclosure& error, const Enclosure& size) {
   return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
 }
 
-/// Whether positions at these distances stay apart even with the largest allowed errors, by a
-/// margin that keeps errors of their ratios linear.
-bool are_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& across,
-                    const Enclosure& down) {
+/// Whether positions at these distances differ by much more than the largest allowed errors, so
+/// that errors of their ratios are linear.
+bool are_separated(const Trial& trial, const PlaneAnswers& answers, const Enclosure& across,
+                   const Enclosure& down) {
   const double allowed = trial.bound(Quantity::kPixelPoint) *
                          bound_growth(answers.worst_condition()) *
                          scene::unit_roundoff(trial.precision());
@@ -141,7 +142,7 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// The axis k along which a vector points exactly, with its sign; 0 if along none.
+/// The world axis k along which a vector points exactly, and the sign; 0 if there is no such axis.
 struct SignedAxis {
   int index = 0;
   int sign = 0;
@@ -158,8 +159,9 @@ SignedAxis signed_axis(const Enclosure3& v) {
   return result;
 }
 
-/// A corner's coordinate is exact to the last bit for an eye at the world's origin, an axis along a
-/// world axis, samples on the edges, and first + (last - first) not rounded.
+/// Judges the coordinates of corners that are promised to the last bit: for an eye at the world's
+/// origin, a camera axis along a world axis, samples on the edges, and first + (last - first)
+/// without rounding.
 void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& answers,
                          std::size_t k) {
   const scene::Camera& camera = answers.camera().camera();
@@ -189,8 +191,7 @@ void judge_bounds(Trial& trial, Verdict& verdict) {
     const Enclosure3 off = answers.position(k) - answers.exact_position(k);
     const Enclosure size = answers.size_of_point(k);
     answers.measure(verdict, k, std::max(relative(off.x, size), relative(off.y, size)),
-                    trial.bound(Quantity::kPixelPoint),
-                    [&] { return "corner " + name(answers.pixel(k)); });
+                    trial.bound(Quantity::kPixelPoint), [] { return "corner"; });
     judge_promised_bits(trial, verdict, answers, k);
   }
 }
@@ -205,7 +206,7 @@ void judge_image_plane(Trial& trial, Verdict& verdict) {
     const Enclosure size = answers.size_of_point(0);
     const Enclosure3 here = answers.position(0) - answers.exact_position(0);
     answers.measure(verdict, 0, relative(here.z, size), trial.bound(Quantity::kPixelPoint),
-                    [] { return "distance from the plane"; });
+                    [] { return "distance from the image plane"; });
     for (std::size_t k = 1; k < answers.size(); ++k) {
       const Enclosure3 next = answers.position(k) - answers.exact_position(k);
       answers.measure(verdict, k, relative(norm(next - here), size),
@@ -238,7 +239,7 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
   const Enclosure3 extent = answers.exact_position(1) - answers.exact_position(0);
-  if (!are_told_apart(trial, answers, extent.x, extent.y)) {
+  if (!are_separated(trial, answers, extent.x, extent.y)) {
     return verdict.leave_out("the image is too small for the rounding of its pixel points");
   }
   const Enclosure3 got = answers.position(0);
@@ -248,14 +249,18 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
     return (abs(b) - abs(a)).certain_sign().value_or(0) > 0;
   };
   const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
-  answers.measure(verdict, 0, right ? scene::Measured{} : kInfiniteError,
-                  trial.bound(Quantity::kPixelPoint), [] { return "corner of pixel (0, 0)"; });
+  const auto off = [&] {
+    const Enclosure size = answers.size_of_point(0);
+    return std::max(relative(own.x, size), relative(own.y, size));
+  };
+  answers.measure(verdict, 0, right ? scene::Measured{} : off(), trial.bound(Quantity::kPixelPoint),
+                  [] { return "nearer to another corner"; });
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   if (trial.conventions().samples != scene::Samples::kEdges) {
-    return verdict.leave_out("samples at cell centres move with the density");
+    return verdict.leave_out("samples at pixel centres lie elsewhere in a denser image");
   }
   if (std::max(camera.width, camera.height) > scene::kMostPixelsAcross / 2) {
     return verdict.leave_out("an image of twice the density would be too large");
@@ -276,14 +281,14 @@ void judge_density(Trial& trial, Verdict& verdict) {
     const scene::Measured error =
         is_same ? scene::Measured{} : relative(norm(moved), sparse.size_of_point(k));
     sparse.measure(verdict, k, error, 2 * trial.bound(Quantity::kPixelPoint),
-                   [&] { return name(pixels[k]) + " at twice the density"; });
+                   [] { return "at twice the density"; });
   }
 }
 
 void judge_square_pixels(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   if (camera.width < 2 || camera.height < 2) {
-    return verdict.leave_out("an image of one row or column has one spacing only");
+    return verdict.leave_out("an image of one row or column has only one spacing");
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {1, 0}, {0, 1}});
   const auto step = [&](std::size_t k) {
@@ -293,10 +298,10 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   const Enclosure3 origin = answers.exact_position(0);
   const Enclosure across = abs(answers.exact_position(1).x - origin.x);
   const Enclosure down = abs(answers.exact_position(2).y - origin.y);
-  if (!are_told_apart(trial, answers, across, down)) {
+  if (!are_separated(trial, answers, across, down)) {
     return verdict.leave_out("a pixel is too small for the rounding of its points");
   }
-  // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.
+  // The error is got ratio / exact ratio - 1. Pixels are square if the exact ratio is 1.
   const Enclosure got_down = step(2);
   const scene::Measured error =
       got_down.contains_zero()
@@ -307,13 +312,13 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   trial.measure(
       verdict, {Quantity::kPixelPoint, place, error, 2 * trial.bound(Quantity::kPixelPoint)},
       [&] {
-        // A step is a difference of two points, so its condition is |P| / step.
+        // A step is a difference of two points, so its condition number is |P| / step.
         const Enclosure size = answers.size_of_point(0);
         const double worst = std::max(kModerateCondition, answers.worst_condition());
         return worst * (size / across + size / down + Enclosure(1)).upper();
       },
       [&](Discrepancy& d) {
-        d.what = "spacing across over spacing down";
+        d.what = "spacing of columns over that of rows";
         d.symbol.clear();
         d.got = {(step(1) / got_down).upper()};
         d.exact = {(across / down).upper()};
@@ -351,7 +356,7 @@ constexpr Law kPixelPlaneLawTable[] = {
               Per::kScene, judge_pixel_zero_zero),
     of_points("density", "pixel density does not change the field of view", Per::kRay,
               judge_density),
-    of_points("square-pixels", "pixels are square exactly when the spacings agree", Per::kScene,
+    of_points("square-pixels", "the spacings of columns and rows have the exact ratio", Per::kScene,
               judge_square_pixels),
 };
 

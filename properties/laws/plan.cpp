@@ -25,22 +25,22 @@ using scene::PixelRectangle;
 using scene::SpherePlan;
 using scene::Wanted;
 
-/// The most pixels that are tried along each border of a rectangle.
+/// At most this many pixels are tried along each border of a rectangle.
 constexpr std::int64_t kMostOfBorder = 64;
-/// The most rows, and the most columns, inside a rectangle.
+/// At most this many rows, and columns, are tried inside a rectangle.
 constexpr std::int64_t kMostInside = 5;
 
-/// The part of a plan about one sphere, and the purpose of the plan.
+/// What a plan states about one sphere, and the purpose of the plan.
 struct PlanStatement {
   scene::Wanted wanted;
   const scene::ScenePlan* plan;
   std::size_t sphere;
 
-  const scene::SpherePlan& said() const { return plan->spheres[sphere]; }
+  const scene::SpherePlan& planned() const { return plan->spheres[sphere]; }
 };
 
-/// The plans of a candidate for one scene, for every purpose (scene::Wanted). They choose where the
-/// truth is computed, and do not influence it.
+/// The plans of a candidate for one scene, for every purpose (scene::Wanted). They determine for
+/// which pixels the truth is computed, but do not change it.
 /// Domain: a scene with a camera, a candidate that plans.
 class PlanStatements {
  public:
@@ -51,12 +51,12 @@ class PlanStatements {
   /// The distinct statements about each sphere.
   std::vector<PlanStatement> distinct() const;
 
-  /// Pixels in a sphere's rectangle according to any plan that has one, otherwise in the image.
-  /// Plus all pixels of the case.
+  /// Pixels in a sphere's rectangle if a plan has one, otherwise in the image; and all pixels of
+  /// the case.
   std::vector<scene::Pixel> inside(const PlanStatement& statement) const;
 
-  /// Pixels of the image just outside a sphere's rectangle, including those next to where its
-  /// silhouette touches it. Plus those of the case that are outside.
+  /// Pixels of the image just outside a sphere's rectangle, also next to the points where the
+  /// silhouette touches it; and the pixels of the case that are outside the rectangle.
   std::vector<scene::Pixel> outside(const PlanStatement& statement) const;
 
  private:
@@ -65,7 +65,7 @@ class PlanStatements {
   const std::vector<scene::ScenePlan>& plans_;
 };
 
-/// Whole numbers of [begin, end), evenly spread, including the first and the last.
+/// Whole numbers in [begin, end), spread evenly, including the first and the last.
 std::vector<std::int64_t> spread(std::int64_t begin, std::int64_t end, std::int64_t most) {
   std::vector<std::int64_t> result;
   const std::int64_t count = std::min(end - begin, most);
@@ -82,7 +82,7 @@ void add_if_inside(const PixelRectangle& where, const Pixel& pixel, std::vector<
 
 double middle(const Bounds& x) { return x.low + (x.high - x.low) / 2; }
 
-/// The pixel in or next to the image that a direction through the eye points at.
+/// Adds the pixel, in or next to the image, at which a direction through the eye points.
 void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
                     const scene::Vector3& along, std::vector<Pixel>& pixels) {
   if (!(along.z > 0)) return;
@@ -95,12 +95,12 @@ void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
       {static_cast<std::int64_t>(std::round(i)), static_cast<std::int64_t>(std::round(j))});
 }
 
-/// Approximate pixels of a silhouette's least and largest column and row. In the plane (U, W) the
+/// Approximate pixels of a silhouette's first and last column and row. In the plane (U, W) the
 /// tangents from the eye touch the disc of centre (u, z) and radius r at (u q -+ z r, z q +- u r)
-/// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2; along V, the sphere is touched level
-/// with its centre. Likewise in (V, W).
+/// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2. The V coordinate there is that of the
+/// centre. For the rows, U and V are exchanged.
 std::vector<Pixel> touched(const PlanStatement& statement, const PixelRectangle& image) {
-  const scene::EyeSphere& seen = statement.said().seen;
+  const scene::EyeSphere& seen = statement.planned().seen;
   const scene::EyeSpace& eye = statement.plan->eye;
   const double u = middle(seen.u), v = middle(seen.v), r = middle(seen.radius);
   const double z = middle(eye.near()) < 0 ? -middle(seen.w) : middle(seen.w);
@@ -120,7 +120,7 @@ std::vector<Pixel> touched(const PlanStatement& statement, const PixelRectangle&
   return result;
 }
 
-bool is_said(const SpherePlan& a, const SpherePlan& b) {
+bool is_same(const SpherePlan& a, const SpherePlan& b) {
   return a.left_out == b.left_out && a.hidden_by == b.hidden_by && a.pixels == b.pixels &&
          a.origin_inside == b.origin_inside && a.reaches_behind == b.reaches_behind;
 }
@@ -135,7 +135,7 @@ std::vector<PlanStatement> PlanStatements::distinct() const {
     for (std::size_t k = 0; k < plans_.size(); ++k) {
       const PlanStatement next{scene::kEveryWanted[k], &plans_[k], sphere};
       if (std::none_of(result.begin() + first, result.end(), [&](const PlanStatement& known) {
-            return is_said(known.said(), next.said());
+            return is_same(known.planned(), next.planned());
           })) {
         result.push_back(next);
       }
@@ -167,7 +167,7 @@ std::vector<Pixel> PlanStatements::inside(const PlanStatement& statement) const 
 }
 
 std::vector<Pixel> PlanStatements::outside(const PlanStatement& statement) const {
-  const PixelRectangle& inner = statement.said().pixels;
+  const PixelRectangle& inner = statement.planned().pixels;
   if (inner.empty()) return inside(statement);
   std::vector<Pixel> result;
   for (const Pixel& pixel : pixels_) {
@@ -199,8 +199,8 @@ struct SaidOf {
   Pixel pixel;
 };
 
-/// Nothing excuses a plan: it promises to change no answer in any scene. `what` returns the text
-/// for one that does.
+/// Judges a plan's statement. A wrong one has no excuse, because a plan promises to change no
+/// answer in any scene. `what` returns the text of the discrepancy.
 template <class What>
 void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, const What& what) {
   const auto width = static_cast<std::size_t>(it.trial.scene().camera->width);
@@ -216,10 +216,11 @@ void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, c
 
 std::string for_what(const PlanStatement& statement) {
   const auto wanted = scene::kWantedNames[static_cast<std::size_t>(statement.wanted)];
-  return ", where the " + std::string(wanted) + " is wanted";
+  return ", if the " + std::string(wanted) + " is wanted";
 }
 
-/// Every ray that meets `sphere` meets `by` first: nearer, or as near and earlier in the file.
+/// Whether the ray misses `sphere`, or meets `by` first: nearer, or at the same distance and
+/// earlier in the file.
 bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std::size_t by) {
   const auto& spheres = trial.scene().spheres;
   const scene::Conventions& conventions = trial.conventions();
@@ -237,24 +238,25 @@ void judge_left_out(Trial& trial, Verdict& verdict) {
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
-    const SpherePlan& said = statement.said();
-    if (!said.left_out) continue;
+    const SpherePlan& planned = statement.planned();
+    if (!planned.left_out) continue;
     const bool is_ranked =
-        said.left_out == LeftOut::kHidden && statement.wanted == Wanted::kNearest;
+        planned.left_out == LeftOut::kHidden && statement.wanted == Wanted::kNearest;
     for (const Pixel& pixel : statements.inside(statement)) {
       const ExactRay ray(camera, pixel);
       const bool is_right =
           is_ranked
-              ? is_hidden(ray, trial, k, said.hidden_by.value())
+              ? is_hidden(ray, trial, k, planned.hidden_by.value())
               : ray.intersect(spheres[k], trial.conventions().root).hit_class == HitClass::kMiss;
-      judge(verdict, {trial, k, pixel}, is_ranked ? Quantity::kNearestSphere : Quantity::kClass,
-            is_right    ? Wrong::kNot
-            : is_ranked ? Wrong::kWrongSphere
-                        : Wrong::kMissed,
-            [&] {
-              return std::string(scene::kLeftOutNames[static_cast<std::size_t>(*said.left_out)]) +
-                     for_what(statement);
-            });
+      judge(
+          verdict, {trial, k, pixel}, is_ranked ? Quantity::kNearestSphere : Quantity::kClass,
+          is_right    ? Wrong::kNot
+          : is_ranked ? Wrong::kWrongSphere
+                      : Wrong::kMissed,
+          [&] {
+            return std::string(scene::kLeftOutNames[static_cast<std::size_t>(*planned.left_out)]) +
+                   for_what(statement);
+          });
     }
   }
   if (verdict.compared() == 0) return verdict.leave_out("the plan leaves out no sphere");
@@ -266,9 +268,9 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
-    const SpherePlan& said = statement.said();
-    if (said.left_out) continue;
-    if (!statements.image().contains(said.pixels)) {
+    const SpherePlan& planned = statement.planned();
+    if (planned.left_out) continue;
+    if (!statements.image().contains(planned.pixels)) {
       throw CandidateFailed("the rectangle of sphere " + std::to_string(k) +
                             " is not inside the image");
     }
@@ -283,7 +285,8 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
   if (verdict.compared() == 0) return verdict.leave_out("every rectangle is the whole image");
 }
 
-/// The rays from the eye through a pixel and away from it: together they are the whole line.
+/// The ray from the eye through a pixel and the ray in the opposite direction; together they are
+/// the whole line.
 class BothWays {
  public:
   BothWays(const scene::Camera& camera, const scene::Conventions& conventions)
@@ -318,8 +321,8 @@ void judge_roots(Trial& trial, Verdict& verdict) {
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
-    const SpherePlan& said = statement.said();
-    if (said.origin_inside && said.reaches_behind) continue;
+    const SpherePlan& planned = statement.planned();
+    if (planned.origin_inside && planned.reaches_behind) continue;
     for (const Pixel& pixel : statements.inside(statement)) {
       const Intersection at =
           ExactRay(camera, pixel).intersect(spheres[k], trial.conventions().root);
@@ -327,9 +330,9 @@ void judge_roots(Trial& trial, Verdict& verdict) {
       if (is_hit) {
         judge(verdict, {trial, k, pixel}, Quantity::kRoot,
               at.root == reference::WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
-              [&] { return said.origin_inside ? "behind the origin" : "from inside"; });
+              [&] { return planned.origin_inside ? "behind the origin" : "from inside"; });
       }
-      if (!said.reaches_behind) {
+      if (!planned.reaches_behind) {
         judge(verdict, {trial, k, pixel}, Quantity::kClass,
               !is_hit && line.meets(spheres[k], pixel) ? Wrong::kFalseHit : Wrong::kNot,
               [] { return "behind the origin"; });

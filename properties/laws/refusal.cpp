@@ -9,7 +9,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// One way to invalidate a camera, a sphere or a ray, named after the defect.
+/// One way to make a camera, a sphere or a ray invalid, and the name of the defect.
 template <class Thing>
 struct Spoiling {
   const char* what;
@@ -30,7 +30,7 @@ constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
      }},
 };
 
-/// Defects that affect only pixels, not the frame.
+/// Defects that affect only the pixels, not the frame.
 constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
     {"near is zero", [](scene::Camera& c) { c.near = 0; }},
     {"left is infinite", [](scene::Camera& c) { c.left = -kInfinite; }},
@@ -57,7 +57,7 @@ constexpr Spoiling<scene::Ray> kRaySpoilings[] = {
     {"ray direction is infinite", [](scene::Ray& r) { r.direction.y = kInfinite; }},
 };
 
-/// Calls the function directly, since an exception takes time for every function that it passes.
+/// Calls the function directly (as_is), because each rethrow of an exception takes time.
 template <class Ask>
 void expect_refusal(Trial& trial, Verdict& verdict, const char* what, const Ask& ask) {
   Wrong wrong = Wrong::kAnswered;
@@ -135,13 +135,13 @@ void judge_refusal(Trial& trial, Verdict& verdict) {
     spoil_intersections(trial, verdict);
   }
   if (verdict.compared() == 0) {
-    return verdict.leave_out("the candidate implements no function that takes the scene's input");
+    return verdict.leave_out("the candidate has no function that takes the scene's input");
   }
 }
 
 constexpr Law kRefusalLawTable[] = {
     {.name = "refusal",
-     .sentence = "non-finite and degenerate input is refused, not answered",
+     .sentence = "input that is not finite, or is degenerate, is refused, not answered",
      .per = Per::kScene,
      .needs = Needs::kRefusals,
      .quantity = Quantity::kRefusal,

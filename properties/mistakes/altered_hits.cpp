@@ -23,7 +23,7 @@ bool is_between(double s, const scene::ValidRoots& valid) {
          (valid.includes_max() ? s <= valid.t_max : s < valid.t_max);
 }
 
-/// For complete formulas.
+/// Domain: formulas with roots and choose.
 Hit chosen(const HitFormulas& formulas, const Ray& ray, const Sphere& sphere,
            const fast::Roots& roots, Conventions conventions) {
   conventions.valid = in_multiples(conventions.valid, ray, sphere);

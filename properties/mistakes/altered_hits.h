@@ -1,6 +1,7 @@
 #pragma once
 
-// Candidates with another choice among roots, hits or spheres: the basis of mistakes and mutants.
+// Candidates that choose other roots, hits or spheres than a correct method: the basis of mistakes
+// and mutants.
 
 #include <functional>
 #include <optional>
@@ -17,14 +18,15 @@ using NearestSpheres = decltype(Candidate::nearest);
 /// s, and Q = L + s D.
 HitAnswer hit_at(const scene::Ray& ray, double s);
 
-/// One sphere at a time; one answer per ray.
+/// Asks about several rays and one sphere; returns one answer per ray.
 using AskSphere = std::function<std::vector<Hit>(Candidate::Rays, const scene::Sphere&,
                                                  const scene::Conventions&)>;
 
 /// The answers of a candidate, one sphere at a time.
 AskSphere hits_of(const Candidate& candidate);
 
-/// Takes the hits from `ask`, and the nearest sphere from these, as nearest_spheres() does.
+/// Makes the candidate take its hits from `ask`; its nearest sphere is the one with the smallest s
+/// of these hits.
 void answer_by(Candidate& candidate, const AskSphere& ask);
 
 using MakeRoots = std::function<fast::Roots(const scene::Ray&, const scene::Sphere&)>;
@@ -34,8 +36,8 @@ using ChooseHit =
 /// Whether a ray's line meets the sphere under the tangent convention.
 bool meets(const fast::Roots& roots, const scene::Conventions& conventions);
 
-/// Whether a root counts: between the declared ends, which are in multiples of the direction here,
-/// and where a face is met that is not culled.
+/// Whether a root counts: it lies between the declared ends, here in multiples of the direction,
+/// and on a face that is not culled.
 bool smaller_counts(const fast::Roots& roots, const scene::ValidRoots& valid);
 bool larger_counts(const fast::Roots& roots, const scene::ValidRoots& valid);
 
@@ -47,24 +49,25 @@ scene::ValidRoots in_multiples(scene::ValidRoots valid, const scene::Ray& ray,
 Hit usual_choice(const scene::Ray& ray, const fast::Roots& roots,
                  const scene::Conventions& conventions);
 
-/// The rank of a hit sphere, given its index in the file, the roots and the chosen s.
+/// Returns the rank of a hit sphere, given its index in the file, the roots and the chosen s.
 using RankSphere = std::function<double(std::size_t index, const scene::Ray&, const scene::Sphere&,
                                         const fast::Roots&, double s)>;
 
-/// Wrong formulas for hits and the nearest sphere; an empty one is a correct method's, with the
-/// roots of `cross`. With a `rank` only the nearest sphere is wrong. The conventions that `choose`
-/// gets have their ends in multiples of the direction.
+/// Wrong formulas for hits and the nearest sphere. An empty one stands for the correct formula,
+/// with the roots of `cross`. If there is a `rank`, only the nearest sphere is wrong. The
+/// conventions passed to `choose` have their ends in multiples of the direction.
 struct HitFormulas {
   MakeRoots roots = {};
   ChooseHit choose = {};
   RankSphere rank = {};
   explicit operator bool() const { return roots || choose || rank; }
 };
-/// The formulas of both; empty if both replace the same formula.
+/// Both sets of formulas; empty if they replace the same formula.
 std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other);
-/// Hits by a choice between two roots; input is not checked.
+/// Hits by these formulas. Does not check input.
 AskSphere hits_by(HitFormulas formulas);
-/// The nearest is the hit sphere of least rank, among equals the earlier in the file.
+/// The nearest sphere: of the spheres hit, the one with the least rank; if ranks are equal, the
+/// first in the file.
 NearestSpheres nearest_by(HitFormulas formulas);
 
 }  // namespace raycheck::properties

@@ -54,7 +54,7 @@ StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
   return answers;
 }
 
-/// Empty where the candidate lacks the function.
+/// The answers at a step; empty if the candidate lacks the function.
 std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidate& candidate) {
   Trial trial(asked.the_case, candidate);
   const scene::Scene& scene = asked.the_case.scene;
@@ -88,7 +88,7 @@ std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidat
   return answers;
 }
 
-/// The same; also empty where the candidate refuses or fails.
+/// The answers at a step; empty if the candidate lacks the function, refuses or fails.
 std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
                                       const Candidate& candidate) {
   scene::poll();
@@ -99,10 +99,10 @@ std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
   }
 }
 
-/// Answers with at most this relative error have more digits than floats.
+/// Answers with at most this relative error have more digits than floats have.
 constexpr double kPrecise = 0x1p-36;
 
-/// Whether an answer is neither as expected nor right in another way.
+/// Whether an answer is neither as expected nor equal to that of another right formula.
 bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers& expected,
                   double tolerance) {
   const auto is_like = [&](const StepAnswers& other) {
@@ -113,8 +113,7 @@ bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers
          std::none_of(comparison.also_right.begin(), comparison.also_right.end(), is_like);
 }
 
-/// The number of answers that differ from those expected, except those that are right in another
-/// way.
+/// The number of answers for which is_different() holds.
 std::uint64_t count_different(const Comparison& comparison, const StepAnswers& expected,
                               double tolerance) {
   std::uint64_t count = 0;
@@ -124,7 +123,7 @@ std::uint64_t count_different(const Comparison& comparison, const StepAnswers& e
   return count;
 }
 
-/// For each answer, by sphere and ray or by ray: whether it misses a sphere that no answer hits.
+/// For each answer, in their order: whether it misses a sphere that no answer hits.
 std::vector<bool> dropped(Step step, const Comparison& comparison) {
   const std::size_t count = comparison.asked->rays.size();
   const auto sphere_of = [&](const Answer& answer, std::size_t k) -> std::optional<std::size_t> {
@@ -143,7 +142,8 @@ std::vector<bool> dropped(Step step, const Comparison& comparison) {
   return found;
 }
 
-/// Whether doubles choose another root than the declared ends do.
+/// Whether, with the declared ends, roots computed in doubles give another hit class or root than
+/// the exact roots.
 bool ends_are_close(const AskedCase& asked) {
   scene::Conventions conventions = asked.the_case.scene.conventions;
   if (conventions.valid.is_usual()) return false;
@@ -167,7 +167,7 @@ bool ends_are_close(const AskedCase& asked) {
   return false;
 }
 
-/// Empty outside the candidate's domain, and where its format cannot hold the case.
+/// The case as asked; empty outside the candidate's domain, or if its format cannot hold the case.
 std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candidate,
                                     const Candidate& right) {
   auto rounded = rounded_case(the_case, candidate.input_format()).the_case;

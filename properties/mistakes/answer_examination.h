@@ -1,6 +1,6 @@
 #pragma once
 
-// A candidate's answers, step by step, beside the right ones. Internal to answer_explanation.
+// Compares a candidate's answers with the right ones, step by step. Internal to answer_explanation.
 
 #include <array>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace raycheck::properties {
 
-/// The answer at any step: the sphere, or whether one is hit, and the vectors.
+/// The answer at one step: which sphere, or whether a sphere is hit, and the vectors.
 struct Answer {
   std::optional<std::size_t> choice;
   std::array<scene::Vector3, 3> vectors;
@@ -26,21 +26,22 @@ using StepAnswers = std::vector<Answer>;
 struct AskedCase {
   Case the_case;
   std::vector<scene::Ray> rays;
-  Returns returns = Returns::kHit;  ///< The values that hits have.
+  Returns returns = Returns::kHit;  ///< The values that are returned for a hit.
 };
 
-/// A candidate's answers to a case at a step, the right ones, and those of other right formulas.
+/// A candidate's answers to a case at a step, the right answers, and the answers of other right
+/// formulas.
 struct Comparison {
   const AskedCase* asked;
   StepAnswers answers, right;
   std::vector<StepAnswers> also_right;
 };
 
-/// Whether a case is left out under the candidate's conventions: roots are so near to t_min or
-/// t_max that mistakes, which are computed in doubles, would not count the right ones.
+/// Whether a case is left out under the candidate's conventions, because roots are so near to t_min
+/// or t_max that mistakes, which are computed in doubles, would choose wrong roots.
 bool is_left_out(const Case& the_case, const Candidate& candidate);
 
-/// The treatment of answers that are NaN or infinite where the right ones are finite.
+/// The treatment of answers that are NaN or infinite although the right ones are finite.
 enum class NotNumbers { kWrong, kLeftOut };
 
 /// A candidate's answers to cases; each step is computed on demand.
@@ -56,28 +57,29 @@ class Examination {
   /// Whether at most half of the cases are left out by is_left_out().
   bool is_of_most() const { return left_out_ <= asked_.size(); }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
-  /// Whether a few roundings of the input cause such an error of s, so that it does not depend on
-  /// the formula.
+  /// Whether a few roundings of the input can cause this error of s. Then the error says nothing
+  /// about the formula.
   bool is_of_input(const scene::Ray& ray, const scene::Sphere& sphere, double error) const;
 
   std::uint64_t errors(Step step, double tolerance);
-  /// The number of answers at a step that are NaN or infinite where the right ones are finite.
+  /// The number of answers at a step that are NaN or infinite although the right ones are finite.
   std::uint64_t not_numbers(Step step);
 
-  /// The number of wrong answers at a step that have numbers, not only a hit class or a choice, and
-  /// differ from those of `other`.
+  /// The number of wrong answers at a step that contain numbers, not only a hit class or a choice,
+  /// and differ from the answers of `other`.
   std::uint64_t wrong_numbers(Step step, double tolerance, const Candidate* other = nullptr);
 
-  /// Whether all answers at a step are finite where the right ones are, except for those left out.
+  /// Whether no answer at a step is NaN or infinite although the right one is finite; ignores
+  /// answers that are left out.
   bool are_numbers(Step step) {
     return not_numbers_ == NotNumbers::kLeftOut || not_numbers(step) == 0;
   }
 
-  /// The number of answers at these steps that differ from those of `made`; any number above `most`
-  /// if it is larger than that.
+  /// The number of answers at these steps that differ from the answers of `made`. Once the count
+  /// exceeds `most`, counting may stop.
   std::uint64_t contradicted(const Candidate& made, Step first, Step last, double tolerance,
                              std::uint64_t most);
-  /// Whether any of these answers of `made` is wrong.
+  /// Whether `made` gives any wrong answer at these steps.
   bool shows(const Candidate& made, Step first, Step last, double tolerance);
 
   /// How well the roundings of a formula agree with the answers at kIntersect or kNearest.

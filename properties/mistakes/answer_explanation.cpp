@@ -14,13 +14,14 @@
 namespace raycheck::properties {
 namespace {
 
-/// A part of the functions of a candidate. Mistakes in one part do not show in another.
+/// A part of a candidate's functions. Mistakes in one part do not show in the answers of another.
 struct Part {
   Step first, last;
 };
 
-/// The mistakes that best explain the answers at some steps, only the first of each family;
-/// `fewest`: in, the most answers that they may contradict; out, the number that they do.
+/// The mistakes that best explain the answers at some steps, only the first of each group. `fewest`
+/// is the number of answers that they may contradict at most, and becomes the number that they
+/// contradict.
 std::vector<const Mistake*> best_of(Examination& examination,
                                     const std::vector<const Mistake*>& suspects, Part steps,
                                     double tolerance, std::uint64_t& fewest) {
@@ -32,14 +33,14 @@ std::vector<const Mistake*> best_of(Examination& examination,
     if (left < fewest) best.clear();
     fewest = left;
     const bool is_known =
-        !mistake->family.empty() && !best.empty() && best.back()->family == mistake->family;
+        !mistake->group.empty() && !best.empty() && best.back()->group == mistake->group;
     if (!is_known) best.push_back(mistake);
   }
   return best;
 }
 
 /// Of mistakes that explain a step equally well, keeps those that best explain the errors at later
-/// steps of the part; all, if no mistake explains them.
+/// steps of the part. Keeps all if no mistake explains these errors.
 void tell_apart(Examination& examination, Step step, Step last, double tolerance,
                 std::vector<const Mistake*>& suspects) {
   for (int at = static_cast<int>(step) + 1; at <= static_cast<int>(last); ++at) {
@@ -50,7 +51,7 @@ void tell_apart(Examination& examination, Step step, Step last, double tolerance
   }
 }
 
-/// The mistakes in a part up to a step that a candidate can make.
+/// The mistakes that a candidate can make, in a part up to a step.
 std::vector<const Mistake*> offered(const Candidate& candidate, Part part, Step step) {
   std::vector<const Mistake*> all;
   for (const Mistake& mistake : mistakes()) {
@@ -60,11 +61,12 @@ std::vector<const Mistake*> offered(const Candidate& candidate, Part part, Step 
   return all;
 }
 
-/// Pairs of mistakes are tried only with at least this many wrong answers. They must explain all,
-/// and each must explain kFewestErrorsOfACause answers with numbers that the other does not.
+/// Pairs of mistakes are tried only if at least this many answers are wrong. A pair must explain
+/// all of them, and each of its mistakes must explain kFewestErrorsOfACause answers with numbers
+/// that the other does not explain.
 constexpr std::uint64_t kFewestErrorsOfTwo = 12;
 
-/// The pairs that contradict no answer; of pairs that differ within a family, the first.
+/// The pairs that contradict no answer; of pairs that differ only within a group, the first.
 std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*> mistakes,
                             Part steps, double tolerance) {
   std::erase_if(mistakes, [&](const Mistake* one) {
@@ -76,7 +78,7 @@ std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*
   };
   std::set<std::pair<std::string_view, std::string_view>> known;
   const auto name = [](const Mistake* one) {
-    return one->family.empty() ? std::string_view(one->sentence) : one->family;
+    return one->group.empty() ? std::string_view(one->sentence) : one->group;
   };
   std::vector<Fault> found;
   for (std::size_t a = 0; a < mistakes.size(); ++a) {
@@ -106,11 +108,11 @@ AnswerCause cause_of(const std::vector<Fault>& alternatives, AnswerCause cause,
   return cause;
 }
 
-/// The tolerance for roundings to floats: answers that are right up to kAnswerTolerances may differ
-/// by more than this, and a mistake that rounds must make the same answers up to this.
+/// The tolerance for roundings to floats. A cause is sought for answers that are right up to
+/// kAnswerTolerances but off by more than this; a mistake must reproduce them up to this.
 constexpr double kOfFloats = 1e-10;
 
-/// The cause "rounded to floats", at the first step of a part at which that shows.
+/// The cause "rounded to floats", at the first step of a part that shows it.
 std::optional<AnswerCause> rounding_in(Examination& examination, const Part& part) {
   for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
     const auto step = static_cast<Step>(at);
@@ -150,7 +152,7 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       const bool all_by_mistake = !suspects.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {
         if (const auto found = roundings_at(examination, step, tolerance)) return *found;
-        // If roundings may also be the cause, the cause is unknown.
+        // If roundings may be the cause, too, the cause is unknown.
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
       }
       if (!all_by_mistake && errors >= kFewestErrorsOfTwo && examination.are_numbers(step) &&
@@ -204,7 +206,7 @@ std::vector<AnswerCause> causes_in(Examination& examination) {
         step == Step::kNearest &&
         examination.errors(Step::kIntersect, kAnswerTolerances.front()) == 0;
     findings.push_back(find_cause(examination, {hits_are_right ? Step::kIntersect : step, step}));
-    // If nothing explains the hits, nearest spheres that follow from them say nothing.
+    // If nothing explains the hits, nearest spheres that follow from these hits prove nothing.
     if (step == Step::kIntersect && findings.back().alternatives.empty() &&
         examination.errors(step, kAnswerTolerances.front()) > 0) {
       break;

@@ -21,7 +21,7 @@ template <class Triple>
 double dot(const Vector3& a, const Triple& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-/// Axes may be of any length.
+/// The axis may have any length.
 UnitVector3 axis(const Vector3& v) { return {v.x, v.y, v.z}; }
 UnitVector3 cross(const Vector3& a, const UnitVector3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -32,7 +32,7 @@ Vector3 scaled(double factor, const Vector3& v) {
 Vector3 view(const Camera& camera) { return camera.eye - camera.look_at; }
 void turn(UnitVector3& axis) { axis = {-axis.x, -axis.y, -axis.z}; }
 
-/// Right axes, changed afterwards.
+/// A mistake that changes the right axes.
 Mistake frame(std::string sentence, std::function<void(const Camera&, FrameAnswer&)> change) {
   return {.sentence = std::move(sentence),
           .step = Step::kFrame,
@@ -93,8 +93,8 @@ std::vector<Mistake> frame_mistakes() {
   };
 }
 
-/// The lecture's v and d, which assume |D| = 1, used as multiples of D, without lost digits, which
-/// are another mistake.
+/// The lecture's v and d, which assume |D| = 1, used as multiples of D. Computed without loss of
+/// digits, since that is another mistake.
 fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   fast::Roots roots = fast::kCross.roots(ray, sphere);
   const double size = norm(ray.direction), excess = size * size - 1;
@@ -104,7 +104,8 @@ fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   return {size * v, roots.half_chord_sq, size * v - d, size * v + d};
 }
 
-/// The same where d^2 = r^2 - |T x D|^2, and one root is (|T|^2 - r^2) over the other.
+/// The roots of code that assumes |D| = 1 and computes d^2 = r^2 - |T x D|^2, and one root as
+/// (|T|^2 - r^2) over the other.
 fast::Roots stable_roots_of_unit(const Ray& ray, const Sphere& sphere) {
   fast::Roots roots = fast::kCross.roots(ray, sphere);
   const double size = norm(ray.direction), excess = size * size - 1;
@@ -124,17 +125,17 @@ bool returns_distances(const Candidate& candidate) {
   return candidate.interface.returns == Returns::kDistance || candidate.interface.returns == Returns::kSquaredDistance;
 }
 
-/// Hits by roots of unit directions, which are multiples of D or a distance.
+/// A mistake in code that assumes unit directions: its s is a multiple of D or a distance.
 Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
   Mistake mistake = {.sentence = std::move(sentence), .step = Step::kIntersect, .hits = {roots}};
-  mistake.is_told_by_pictures = false;
+  mistake.shows_in_pictures = false;
   if (!as_distance) {
     mistake.is_offered = [](const Candidate& c) {
       return accepts_any_length(c) && !returns_distances(c);
     };
     return mistake;
   }
-  mistake.sentence += ", in the distance that is returned, too";
+  mistake.sentence += ", also in the distance that is returned";
   mistake.hits.roots = [roots](const Ray& ray, const Sphere& sphere) {
     const auto [v, half_chord_sq, smaller, larger] = roots(ray, sphere);
     return fast::Roots{v, half_chord_sq, smaller / norm(ray.direction),
@@ -149,16 +150,16 @@ Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
 std::vector<Mistake> unit_mistakes() {
   std::vector<Mistake> all;
   for (const bool as_distance : {false, true}) {
-    all.push_back(unit_mistake("directions are taken for unit ones, whatever their length",
+    all.push_back(unit_mistake("directions are taken for unit vectors, whatever their length",
                                roots_of_unit, as_distance));
-    all.push_back(unit_mistake("directions are taken for unit ones in d^2 = r^2 - |T x D|^2",
+    all.push_back(unit_mistake("directions are taken for unit vectors in d^2 = r^2 - |T x D|^2",
                                stable_roots_of_unit, as_distance));
   }
-  all.front().is_told_by_pictures = true;
+  all.front().shows_in_pictures = true;
   return all;
 }
 
-/// Hits between the eye and the image plane only; s is in multiples of P - E.
+/// Only hits between the eye and the image plane count; s is in multiples of P - E.
 Hit before_the_plane(const Ray& ray, const fast::Roots& roots, const Conventions& conventions) {
   const Hit hit = usual_choice(ray, roots, conventions);
   return hit && hit->parameter <= 1 ? hit : Hit();
@@ -182,7 +183,7 @@ std::vector<Mistake> ray_mistakes() {
                       const Vector3 D = scaled(std::abs(c.near), normalised(g));
                       return Point3{c.eye.x + D.x, c.eye.y + D.y, c.eye.z + D.z};
                     }},
-       .is_told_by_pictures = false},
+       .shows_in_pictures = false},
       {.sentence = "directions are not normalised: D = P - E",
        .step = Step::kRay,
        .rays = {.direction = unchanged},

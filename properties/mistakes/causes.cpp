@@ -21,7 +21,7 @@ bool is_too_large(const scene::Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
-/// Squares of distances overflow: a separate defect, which other causes need not explain.
+/// Whether squares of distances overflow: a separate defect, which other causes need not explain.
 bool overflows(const scene::Scene& scene, scene::Precision precision) {
   return std::any_of(scene.spheres.begin(), scene.spheres.end(), [&](const auto& sphere) {
     const scene::Vector3 T = sphere.centre - scene.camera->eye;
@@ -29,7 +29,7 @@ bool overflows(const scene::Scene& scene, scene::Precision precision) {
   });
 }
 
-/// The candidate's pictures of the scenes that are not too large.
+/// The candidate's pictures of those scenes that are not too large.
 std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate& candidate) {
   std::vector<ShownPicture> pictures;
   for (const Case& one : cases) {
@@ -41,8 +41,9 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
   return pictures;
 }
 
-/// Adds to the wrong answers that were searched those of cases that are left out, and those where a
-/// law demands more than kAnswerTolerances. Causes of less than half of them are dropped.
+/// The causes of wrong answers. Wrong answers in cases that were left out count as unexplained, and
+/// so do, for kNotNumbers, all other defects of the law. Other causes of less than half of the
+/// wrong answers are dropped.
 std::vector<Explanation> answer_explanations(const Law& law, const std::vector<Case>& cases,
                                              const Candidate& candidate) {
   std::vector<Explanation> found = explanations(answer_causes(cases, candidate));
@@ -75,8 +76,8 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
   }
   try {
     if (const auto under = right_under(law, asked, candidate)) {
-      return {{"right under " + under->conventions + ", which it does not declare", under->defects,
-               under->defects}};
+      return {{"right under " + under->conventions + ", which the candidate does not declare",
+               under->defects, under->defects}};
     }
     if (!candidate.image) return answer_explanations(law, asked, candidate);
     std::vector<Explanation> found = explanations(picture_causes(shown(asked, candidate)));
@@ -95,10 +96,10 @@ std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
   for (std::size_t round = 0;; ++round) {
     const std::vector<Case> cases = telling(round);
     if (cases.empty()) return all;
-    bool is_told = false;
+    bool is_explained = false;
     for (Explanation& one : causes(law, cases, candidate)) {
       if (one.explained > 0) {  // not kTooFewErrors
-        is_told = is_told || one.sentence != kNotNumbers;
+        is_explained = is_explained || one.sentence != kNotNumbers;
         std::erase_if(all, [](const Explanation& known) { return known.explained == 0; });
       }
       const bool is_known = std::any_of(all.begin(), all.end(), [&](const Explanation& known) {
@@ -106,7 +107,7 @@ std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
       });
       if (!is_known && (one.explained > 0 || all.empty())) all.push_back(std::move(one));
     }
-    if (is_told) return all;
+    if (is_explained) return all;
     if (round == 1 && (all.empty() || all.front().explained == 0)) return all;
   }
 }

@@ -12,20 +12,21 @@
 
 namespace raycheck::properties {
 
-/// The most cases of a broken law that are searched for its cause, and the most pixels that their
-/// pictures may have.
+/// At most this many cases of a broken law are searched for its cause, and only cases whose
+/// pictures have at most this many pixels.
 inline constexpr std::size_t kCasesOfACause = 12;
 inline constexpr std::int64_t kMostPixelsOfACause = std::int64_t{1} << 16;
 
-/// Why a candidate breaks a law on some of these cases: it is right under conventions that it does
-/// not declare (right_under), or the classic mistakes that explain its answers.
+/// Why a candidate breaks a law on some of these cases: the undeclared conventions under which it
+/// is right (right_under), or the classic mistakes that explain its answers.
 std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
                                 const Candidate& candidate);
 
-/// Cases of a law, in rounds that are searched until a cause is found; empty after the last.
+/// Returns the cases of one round. Rounds are searched until a cause is found; no cases: the rounds
+/// are over.
 using TellingCases = std::function<std::vector<Case>(std::size_t round)>;
-/// The same for these cases. Rounds after the second are searched only if the first two find
-/// nothing but answers that are not numbers.
+/// The causes on the cases of these rounds. Rounds after the second are searched only if the first
+/// two find nothing but answers that are not numbers.
 std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
                                 const Candidate& candidate);
 

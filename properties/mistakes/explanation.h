@@ -13,28 +13,29 @@ struct Mistake;
 struct Explanation {
   std::string sentence;  ///< "rows are upside down"
   std::uint64_t errors = 0, explained = 0;
-  std::vector<const Mistake*> mistakes = {};  ///< Of answers: those that are made together.
+  /// For answers, not pictures: the mistakes made together.
+  std::vector<const Mistake*> mistakes = {};
 };
 
-/// Of answers: a separate defect, which other causes need not explain.
-inline constexpr std::string_view kNotNumbers = "not a number, or infinite";
-/// In place of a mistake; `explained` is 0.
-inline constexpr std::string_view kTooFewErrors = "too few wrong answers to tell why";
-/// Fewer wrong answers than this fit too many explanations. Even so a mistake is named if it is the
-/// only one, and gives the numbers of one of these answers.
+/// A cause of wrong answers that other causes need not explain.
+inline constexpr std::string_view kNotNumbers = "the answer is NaN or infinite";
+/// The sentence if no mistake is named; `explained` is 0.
+inline constexpr std::string_view kTooFewErrors = "too few wrong answers to name a cause";
+/// Fewer wrong answers than this fit too many explanations. A mistake is then named only if no
+/// other explains them, and if it gives the numbers of one of these answers.
 inline constexpr std::uint64_t kFewestErrorsOfACause = 3;
-/// The most mistakes that are named if they explain the same; of more, none is named.
+/// If more mistakes than this explain the same answers, none is named.
 inline constexpr std::size_t kMostAlternatives = 3;
 
-/// The cause of wrong answers that are right if the same question comes first.
+/// The cause of a wrong answer if the candidate, restarted, answers the same question right.
 inline constexpr std::string_view kKeepsState =
-    "answers differently, and correctly, when it is asked first: it keeps state between questions";
+    "a question that is asked first is answered right: the candidate keeps state between questions";
 
-/// The least share of the errors that an explanation must explain; a right answer that it
+/// An explanation must explain at least this share of the errors; a right answer that it
 /// contradicts counts as an unexplained error.
 inline constexpr double kExplainedShare = 0.9;
 
-/// The most of these errors that an explanation may leave unexplained.
+/// The most errors, of these, that an explanation may leave unexplained.
 constexpr std::uint64_t most_unexplained(std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * (1 - kExplainedShare));
 }

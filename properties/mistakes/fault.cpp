@@ -20,7 +20,7 @@ const Candidate& right() {
   return kRight;
 }
 
-/// Anything else, with a zero direction or a NaN, meets nothing.
+/// Whether these numbers are a ray. If a direction is 0 or a number is NaN, it meets nothing.
 bool is_ray(const Ray& ray) {
   const auto& [x, y, z] = ray.direction;
   const double sum = ray.origin.x + ray.origin.y + ray.origin.z + x + y + z;
@@ -48,7 +48,7 @@ std::vector<std::vector<const Mistake*>> all_at(const std::vector<Fault>& faults
   return at;
 }
 
-/// Whether faults, which differ, are all combinations of one mistake from each place.
+/// Whether these distinct faults are all combinations of one mistake from each place.
 bool are_all_pairs(const std::vector<std::vector<const Mistake*>>& at,
                    const std::vector<Fault>& faults) {
   std::size_t pairs = 1;

@@ -10,39 +10,43 @@
 
 namespace raycheck::properties {
 
-/// The mistakes that a program makes at the same time, one or two; empty: it is right.
+/// The mistakes, one or two, that a program makes at the same time. Empty: the program is right.
 using Fault = std::vector<const Mistake*>;
 
 /// Their sentences joined: "rows are upside down; and top is -bottom".
 std::string sentence_of(const Fault& fault);
 
-/// The possible mistakes at a place of a fault: if the alternatives are all pairs of some mistakes
-/// with some others, all at that place; otherwise that of the first alternative.
+/// The possible mistakes at a place of a fault. If the alternatives are all combinations of one
+/// mistake from each place: all mistakes at that place. Otherwise the one of the first alternative.
 std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fault>& alternatives);
 
-/// The sentence of alternatives: "rows are upside down, or: V has the wrong sign"; for all pairs of
-/// some with others "(A, or: B); and (C, or: D)"; for other pairs "(A; and B), or: (C; and D)".
+/// The sentence of alternatives: "rows are upside down, or: V has the wrong sign". If they are all
+/// combinations of A or B with C or D: "(A, or: B); and (C, or: D)". For other pairs: "(A; and B),
+/// or: (C; and D)".
 std::string sentence_of(const std::vector<Fault>& alternatives);
-/// The same in parts, "A, or: B" and "C, or: D"; one part if the alternatives are not such pairs.
+/// The sentence in parts, "A, or: B" and "C, or: D"; one part if the alternatives are not all
+/// combinations.
 std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives);
 
-/// Whether one program can make both: they do not replace the same formula.
+/// Whether one program can make both mistakes: they do not replace the same formula.
 bool can_be_together(const Mistake& a, const Mistake& b);
 
-/// The picture of a scene by a program with a fault, in doubles: applies the changes of the
-/// mistakes in their order, makes rays by the formula of the mistake that has one, and hits by the
-/// formulas of all. A camera that becomes invalid shows nothing. Domain: a valid scene with a
-/// camera, which outlives it; mistakes that can be together.
+/// The picture that a program with a fault draws of a scene, in doubles. The changes of the
+/// mistakes are applied in the order of mistakes(); the rays come from the mistake that has a
+/// formula for rays; the hits use the formulas of all mistakes. If the camera becomes invalid, the
+/// picture is black. Domain: a valid scene with a camera, which outlives this object; mistakes that
+/// can be together.
 class FaultyView {
  public:
   FaultyView(const Fault& fault, const scene::Scene& scene);
 
-  /// The rays of these pixels; empty where the camera is invalid, or the pixel is black.
+  /// The rays of these pixels; empty if the camera is invalid or the pixel is black.
   std::vector<std::optional<scene::Ray>> rays(std::span<const scene::Pixel> pixels) const;
-  /// The scene as the fault takes it.
+  /// The scene as code with this fault reads it.
   const scene::Scene& taken() const { return taken_; }
 
-  /// The sphere at each of these pixels. Radii grow by this share of the distance from the eye.
+  /// The sphere that each of these pixels shows. Radii are enlarged by `growth` times the distance
+  /// from the eye.
   ImageAnswer seen(std::span<const scene::Pixel> pixels, double growth = 0) const;
 
  private:
@@ -53,7 +57,7 @@ class FaultyView {
   std::vector<const Mistake*> pixels_;
 };
 
-/// The whole image.
+/// The whole image that a program with this fault draws.
 ImageAnswer predicted(const Fault& fault, const scene::Scene& scene);
 
 }  // namespace raycheck::properties

@@ -13,7 +13,7 @@ namespace {
 using scene::Root;
 using scene::Vector3;
 
-/// The exponent of the largest power of ten up to `radii`.
+/// The exponent of the largest power of ten that is at most `radii`.
 int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(radii))); }
 
 }  // namespace
@@ -97,15 +97,15 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
 std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
   if (arithmetic == Arithmetic::kSingle) return "computed in single precision";
   if (arithmetic == Arithmetic::kExpanded) {
-    return "|C - L|^2 loses its digits far from the world's origin, where larger squares cancel "
-           "((C - L) . (C - L) keeps them)";
+    return "far from the world's origin |C - L|^2 loses its digits, because larger squares are "
+           "subtracted; (C - L) . (C - L) keeps them";
   }
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
-         "d^2 loses its digits " +
+         "d^2 loses its digits (here " +
          (radii < 10 ? "near tangents"
-                     : "from 10^" + std::to_string(power_of_ten(radii)) + " radii away") +
-         ", where larger numbers cancel (r^2 - |T x D|^2 keeps them)";
+                     : "more than 10^" + std::to_string(power_of_ten(radii)) + " radii away") +
+         "), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them";
 }
 
 void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,

@@ -1,6 +1,6 @@
 #pragma once
 
-// The answers that correct formulas may give where roundings decide: not one, but several.
+// The different answers that correct formulas may give if roundings decide.
 
 #include <array>
 #include <cstdint>
@@ -21,19 +21,19 @@ enum class Arithmetic {
   kSingleExpanded,    ///< In floats, with |T|^2 expanded.
   kProduct            ///< In doubles, r^2 - |T x D|^2: no mistake.
 };
-/// Those that are mistakes and show in pictures.
+/// The arithmetics that are mistakes and show in pictures.
 inline constexpr std::array<Arithmetic, 3> kArithmetics = {
     Arithmetic::kDifference, Arithmetic::kSingle, Arithmetic::kSingleDifference};
 
-/// The number of roundings, each of a share u of a term, between the numbers of a scene and d^2: 5
-/// in |T|^2, 15 in v^2 (T, D, their product and the square), and those of r^2 and the differences.
+/// The number of roundings, each by at most u of a term, from the numbers of a scene to d^2: 5 in
+/// |T|^2, 15 in v^2 (T, D, their product and the square), and those in r^2 and the differences.
 inline constexpr double kRoundings = 24;
 
-/// The hits of a ray and a sphere that a formula may find: some s, a miss or either.
+/// The answers that a formula may find for a ray and a sphere: a range of s, a miss, or both.
 struct PossibleHit {
   bool is_possible = false, is_certain = false;
-  double least = 0, most = 0;           ///< s, where it is possible,
-  double between = 0, and_between = 0;  ///< but not between these: there it is neither root.
+  double least = 0, most = 0;           ///< The range of s, if a hit is possible,
+  double between = 0, and_between = 0;  ///< except between these: there it is neither root.
   double radii = 0;                     ///< From the ray's origin to the centre.
   bool is_doubtful() const { return is_possible && !is_certain; }
   bool allows(const std::optional<double>& s) const {
@@ -44,7 +44,7 @@ struct PossibleHit {
 PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
                          const scene::Conventions& conventions);
 
-/// Whether a formula may show a sphere along a ray.
+/// Whether a formula may show, along a ray, what a picture shows.
 struct PossibleSight {
   bool allows = false;       ///< The answer that was shown is possible.
   bool is_doubtful = false;  ///< More than one answer is possible.
@@ -55,27 +55,30 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
                              const scene::Conventions& conventions,
                              const std::optional<std::size_t>& shown);
 
-/// "computed in single precision", if d^2 loses all digits at this distance in radii.
+/// The sentence for a formula, whose d^2 loses all digits at this distance in radii.
 std::string imprecision_sentence(Arithmetic arithmetic, double radii);
 
-/// Roundings are named if they allow every wrong answer, if at least this many answers are wrong
-/// besides those about spheres that no answer hits, if at most kMostInDoubt of all answers are in
-/// doubt, and at least kFewestWrongInDoubt of those are wrong.
+/// Roundings are named if they allow every wrong answer, if at least kFewestWrongByRoundings
+/// answers are wrong (without answers about spheres that no answer hits), if at most the share
+/// kMostInDoubt of all answers is in doubt, and if the number of wrong answers is at least
+/// kFewestWrongInDoubt times the number of those in doubt.
 inline constexpr std::uint64_t kFewestWrongByRoundings = 3;
 inline constexpr double kMostInDoubt = 0.5;
 inline constexpr double kFewestWrongInDoubt = 0.05;
 
-/// Answers, and how the roundings of a formula agree with them.
+/// Counts of answers, and of how the roundings of a formula agree with them.
 struct DoubtTally {
   std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
-  std::uint64_t dropped = 0;  ///< Wrong ones, about spheres that no answer hits.
-  double radii = 0;           ///< The least distance of an allowed wrong answer; 0 without one.
+  std::uint64_t dropped = 0;  ///< Wrong answers about spheres that no answer hits.
+  double radii = 0;  ///< The least distance of an allowed wrong answer; 0 if there is none.
   std::uint64_t hits = 0,
                 precise = 0;  ///< Right ones, and those with more digits than floats have.
 
   void add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful, double its_radii);
-  /// Whether nothing contradicts them; tells(): and whether they may be named, as above.
+  /// Whether no wrong answer contradicts the roundings. tells(): and whether they may be named, as
+  /// above.
   bool allows_all() const { return wrong > 0 && not_allowed == 0; }
+  /// Whether allows_all(), and the roundings may be named, as above.
   bool tells() const;
 };
 

@@ -22,12 +22,12 @@ Mistake convention_mistake(std::string sentence, ChangeConventions change, Step 
   return {.sentence = std::move(sentence), .step = step, .conventions = std::move(change)};
 }
 
-/// Exchanged loops: the k-th pixel of the picture is the k-th of as many lines as there are
-/// columns, of as many values as there are rows.
+/// Exchanged loops: the picture is written as `width` lines of `height` pixels, and read as
+/// `height` lines of `width` pixels.
 Mistake lines_for_columns(const std::string& outside, bool from_last) {
   return pixel_mistake(
-      "the loops that write the picture are exchanged: as many lines as there are columns, of as "
-      "many values as there are rows" +
+      "the loops that write the picture are exchanged: it has a line for each column, with a value "
+      "for each row" +
           outside,
       [from_last](const Camera& its, const Conventions& conventions, const Pixel& p) {
         const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
@@ -39,7 +39,8 @@ Mistake lines_for_columns(const std::string& outside, bool from_last) {
       });
 }
 
-/// Outside the image, a program that stores an image shows black; others trace rays there, too.
+/// Pixels outside the image are black in programs that store an image; other programs trace rays
+/// there, too.
 std::vector<Mistake> exchanged_loops() {
   std::vector<Mistake> all = {
       lines_for_columns("", false),
@@ -49,7 +50,7 @@ std::vector<Mistake> exchanged_loops() {
   return all;
 }
 
-/// i/(w-1) and j/(h-1) in integers: 0 for all pixels but the last.
+/// i/(w-1) and j/(h-1) in integer arithmetic: 0 for all pixels but the last.
 Mistake integer_division(bool from_bottom) {
   return pixel_mistake(
       std::string("i/(w-1) and j/(h-1) are integer divisions: all columns but the last lie at the "
@@ -70,8 +71,8 @@ std::vector<Mistake> pixel_mistakes() {
   const auto across = [](const Camera& its, const Conventions&, const Pixel& p) {
     return Pixel{its.width - 1 - p.i, p.j};
   };
-  // The k-th pixel that is written, from the top row of the picture on, is the k-th of the columns,
-  // each from its top or from its bottom.
+  // The k-th pixel that is written, beginning in the top row, is the k-th pixel counted column by
+  // column, each column from its top or from its bottom.
   const auto by_columns = [](bool from_top) {
     return [from_top](const Camera& its, const Conventions& conventions, const Pixel& p) {
       const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
@@ -83,7 +84,7 @@ std::vector<Mistake> pixel_mistakes() {
   };
   return {pixel_mistake("rows are upside down", up),
           pixel_mistake("columns are mirrored", across),
-          pixel_mistake("the image is turned by half a turn",
+          pixel_mistake("the image is turned by 180 degrees",
                         [=](const Camera& its, const Conventions& c, const Pixel& p) {
                           return across(its, c, up(its, c, p));
                         }),
@@ -101,10 +102,10 @@ std::vector<Mistake> pixel_mistakes() {
           integer_division(false)};
 }
 
-/// Exchanged rows and columns, each divided by its own number of steps.
+/// Rows and columns are exchanged, but each is divided by its own number of steps.
 Mistake exchanged_steps() {
   Mistake mistake = pixel_mistake(
-      "alpha follows from j, and beta from i: alpha = left + j/(h-1) (right - left), beta = bottom "
+      "j gives alpha, and i gives beta: alpha = left + j/(h-1) (right - left), beta = bottom "
       "+ i/(w-1) (top - bottom)",
       [](const Camera&, const Conventions&, const Pixel& p) {
         return Pixel{p.j, p.i};
@@ -132,7 +133,7 @@ std::vector<Mistake> convention_mistakes() {
       convention_mistake(
           "only the near root counts, so that spheres around the origin are not seen",
           of(&Conventions::root, Root::kSmaller), Step::kIntersect),
-      convention_mistake("the far root counts too, so that spheres around the origin are seen",
+      convention_mistake("the far root counts, too, so that spheres around the origin are seen",
                          of(&Conventions::root, Root::kNearest), Step::kIntersect),
       convention_mistake(
           "a tangent counts as a miss",
@@ -148,12 +149,13 @@ std::vector<Mistake> convention_mistakes() {
           Step::kIntersect)};
 }
 
-/// Steps from the first pixel of a row or column to its last under the samples convention.
+/// The number of steps from the first pixel of a row or column to the last, under the samples
+/// convention.
 double steps(std::int64_t pixels, const Conventions& conventions) {
   return static_cast<double>(conventions.samples == scene::Samples::kEdges ? pixels - 1 : pixels);
 }
 
-/// The bounds where i = 0 and j = 0 keep their places.
+/// Stretches the image; the bound where i = 0 (j = 0) stays.
 void stretch_columns(Camera& camera, double factor) {
   camera.right = camera.left + (camera.right - camera.left) * factor;
 }
@@ -164,8 +166,8 @@ void stretch_rows(Camera& camera, const Conventions& conventions, double factor)
   last = first + (last - first) * factor;
 }
 
-/// Replaces i/(w-1), or (i+1/2)/w, by i/w or, one pixel on, by (i+1)/w: the positions of the first
-/// and the last pixel between two bounds.
+/// Replaces i/(w-1), or (i+1/2)/w, by i/w or, one pixel further, by (i+1)/w. `first` and `last` are
+/// the positions of the first and the last pixel between two bounds.
 void step_by_count(double& first, double& last, std::int64_t pixels, const Conventions& conventions,
                    bool is_next) {
   const double step = (last - first) / static_cast<double>(pixels);
@@ -177,7 +179,7 @@ void step_by_count(double& first, double& last, std::int64_t pixels, const Conve
   }
 }
 
-/// alpha(i) = left + i/(w-1) (right - left), or with i/w, or with (i+1)/w; beta(j) likewise.
+/// alpha(i) = left + i/(w-1) (right - left), or with i/w, or with (i+1)/w; similarly beta(j).
 enum class By { kSteps, kCount, kNextByCount };
 Mistake by_count(std::string sentence, By columns, By rows) {
   return camera_mistake(std::move(sentence), [=](Camera& its, const Conventions& conventions) {

@@ -21,15 +21,15 @@ Mistake of_hits(std::string sentence, HitFormulas formulas) {
           .hits = std::move(formulas)};
 }
 
-/// The same for mistakes that s and Q distinguish from others, and pictures do not.
-Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view family = {}) {
+/// A mistake that s and Q show, and pictures do not.
+Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view group = {}) {
   Mistake mistake = of_hits(std::move(sentence), {.choose = std::move(choose)});
-  mistake.family = family;
-  mistake.is_told_by_pictures = false;
+  mistake.group = group;
+  mistake.shows_in_pictures = false;
   return mistake;
 }
 
-/// Right hits, changed afterwards.
+/// A mistake that changes right hits.
 Mistake of_value(std::string sentence, ChangeHit change,
                  bool (*is_offered)(const Candidate&) = nullptr) {
   return {.sentence = std::move(sentence),
@@ -48,7 +48,7 @@ Hit wherever_behind(const Ray& ray, const Roots& roots, Conventions conventions)
   return usual_choice(ray, roots, conventions);
 }
 
-/// v < 0 is a miss; otherwise the smaller root is taken, whatever its sign.
+/// A miss if v < 0; otherwise the smaller root, even if it is negative.
 Hit ahead_or_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
   return roots.axial_distance < 0 ? Hit() : wherever_behind(ray, roots, conventions);
 }
@@ -62,7 +62,7 @@ Hit near_wherever_ahead(const Ray& ray, const Roots& roots, const Conventions& c
   return larger_counts(roots, conventions.valid) ? wherever_behind(ray, roots, conventions) : Hit();
 }
 
-/// 0 from inside; where both roots are negative a miss, or the larger.
+/// From inside, s = 0. If both roots are negative: a miss, or with `counts_behind` the larger root.
 ChooseHit of_solid(bool counts_behind) {
   return [counts_behind](const Ray& ray, const Roots& roots, const Conventions& conventions) {
     const double least = conventions.valid.t_min;
@@ -79,10 +79,10 @@ Hit without_sign(const Ray& ray, const Roots& roots, const Conventions& conventi
   return hit_at(ray, std::abs(roots.smaller));
 }
 
-/// The result of a slip in the formula, from v and d^2 (as lengths), the right roots and |D|.
+/// The roots after a slip in the formula, given the right roots and |D|.
 using Slip = Roots (*)(const Roots& right, double size, const Ray& ray, const Sphere& sphere);
 
-/// v - d and v + d, in multiples of the direction.
+/// The roots v - d and v + d, in multiples of the direction.
 Roots roots_of(double v, double half_chord_sq, double size) {
   const double d = std::sqrt(half_chord_sq);
   return {v, half_chord_sq, (v - d) / size, (v + d) / size};
@@ -91,7 +91,7 @@ Roots roots_of(double v, double half_chord_sq, double size) {
 struct RootSlip {
   const char* sentence;
   Slip slip;
-  bool is_told_by_pictures = false;
+  bool shows_in_pictures = false;
 };
 constexpr RootSlip kRootSlips[] = {
     {"T = L - C: v has the wrong sign",
@@ -121,7 +121,7 @@ constexpr RootSlip kRootSlips[] = {
        const double v = right.axial_distance, square = right.half_chord_sq;
        return {v, square, (v - 2 * square) / size, (v + 2 * square) / size};
      }},
-    {"-2b stands for -b: s = (-2b - sqrt(b^2 - 4ac))/2a",
+    {"-2b is taken for -b: s = (-2b - sqrt(b^2 - 4ac))/2a",
      [](const Roots& right, double size, auto&, auto&) -> Roots {
        const double more = right.axial_distance / size;
        return {right.axial_distance, right.half_chord_sq, right.smaller + more,
@@ -147,7 +147,7 @@ constexpr RootSlip kRootSlips[] = {
        return right.half_chord_sq < 0 ? roots_of(right.axial_distance, -right.half_chord_sq, size)
                                       : right;
      }},
-    {"v is taken without its sign: s = |v| + d, where the centre of a sphere around the origin "
+    {"v is taken without its sign: s = |v| + d if the centre of a sphere around the origin "
      "lies behind it",
      [](const Roots& right, double size, auto&, auto&) -> Roots {
        return right.larger >= 0
@@ -162,20 +162,20 @@ constexpr RootSlip kRootSlips[] = {
 
 std::vector<Mistake> root_slips() {
   std::vector<Mistake> all;
-  for (const auto& [sentence, slip, is_told] : kRootSlips) {
+  for (const auto& [sentence, slip, shows] : kRootSlips) {
     all.push_back(of_hits(sentence, {.roots = [slip = slip](const Ray& ray, const Sphere& sphere) {
                             return slip(fast::kCross.roots(ray, sphere), norm(ray.direction), ray,
                                         sphere);
                           }}));
-    all.back().is_told_by_pictures = is_told;
+    all.back().shows_in_pictures = shows;
   }
   return all;
 }
 
-/// Where the textbook's b^2 - 4ac is 0.
+/// A mistake in the branch for b^2 - 4ac = 0.
 Mistake at_one_root() {
   Mistake mistake =
-      of_hits("at b^2 - 4ac = 0 s is -b/2*a, whatever its sign",
+      of_hits("where b^2 - 4ac = 0, s is -b/2*a (not -b/(2a)), even if it is negative",
               {.roots =
                    [](const Ray& ray, const Sphere& sphere) {
                      Roots roots = fast::kCross.roots(ray, sphere);
@@ -187,7 +187,7 @@ Mistake at_one_root() {
                  if (roots.half_chord_sq != 0) return usual_choice(ray, roots, c);
                  return hit_at(ray, roots.axial_distance * std::pow(norm(ray.direction), 3));
                }});
-  mistake.is_told_by_pictures = false;
+  mistake.shows_in_pictures = false;
   return mistake;
 }
 
@@ -200,7 +200,8 @@ Mistake of_segments(std::string sentence, ChooseHit choose) {
   return mistake;
 }
 
-/// NaN in place of the roots of a negative d^2, or those of d^2 = 0.
+/// Code that does not test the sign of d^2: if it is negative, the roots are NaN, or those of d^2 =
+/// 0.
 ChooseHit untested(bool is_number) {
   return [is_number](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
     if (!(roots.half_chord_sq < 0)) return usual_choice(ray, roots, conventions);
@@ -210,20 +211,20 @@ ChooseHit untested(bool is_number) {
   };
 }
 
-/// s is this many times the right one, and Q follows from it.
+/// Multiplies s by a factor; Q follows from s.
 ChangeHit times(double factor) {
   return [factor](const Ray& ray, const Sphere&, const HitAnswer& hit) {
     return hit_at(ray, factor * hit.parameter);
   };
 }
 
-/// A hit at one s, whatever is asked.
+/// A hit at this s for every ray.
 Mistake always_at(double s, std::string sentence) {
   Mistake mistake =
       of_hits(std::move(sentence),
               {.choose = [s](const Ray& ray, auto&&...) { return Hit(hit_at(ray, s)); }});
-  mistake.family = "always";  // hit classes do not show s
-  mistake.is_told_by_pictures = false;
+  mistake.group = "always";  // hit classes do not show s
+  mistake.shows_in_pictures = false;
   return mistake;
 }
 
@@ -257,14 +258,14 @@ std::vector<Mistake> intersect_mistakes() {
            of_answers(
                "v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
                ahead_or_behind),
-           of_answers("v + d counts though it is negative: spheres behind the origin are hit",
+           of_answers("v + d counts even if it is negative: spheres behind the origin are hit",
                       larger_wherever_behind, "negative far roots"),
            of_answers(
-               "spheres are solid: from inside s is 0, and v + d counts though it is negative",
+               "spheres are solid: from inside s is 0; and v + d counts even if it is negative",
                of_solid(true), "negative far roots"),
            of_answers(
-               "the near root is given though it is negative: from inside spheres are hit behind "
-               "the origin",
+               "the near root is given even if it is negative: spheres around the origin are hit "
+               "behind it",
                near_wherever_ahead),
            of_answers("spheres are solid: from inside s is 0", of_solid(false), "marched"),
            of_answers(
@@ -273,15 +274,15 @@ std::vector<Mistake> intersect_mistakes() {
                [](const Ray& ray, const Roots& roots, const Conventions& c) {
                  return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
                }),
-           of_answers("s is |v - d|, which is not a root from inside a sphere", without_sign),
-           of_answers(
-               "the root with the smaller |s| is taken, and where it is negative it is a miss",
-               [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
-                 if (!meets(roots, c)) return {};
-                 const bool is_first = std::abs(roots.smaller) <= std::abs(roots.larger);
-                 const double s = is_first ? roots.smaller : roots.larger;
-                 return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
-               }),
+           of_answers("s is |v - d|, which is not a root if the ray starts inside a sphere",
+                      without_sign),
+           of_answers("the root with the smaller |s| is taken; if it is negative, that is a miss",
+                      [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
+                        if (!meets(roots, c)) return {};
+                        const bool is_first = std::abs(roots.smaller) <= std::abs(roots.larger);
+                        const double s = is_first ? roots.smaller : roots.larger;
+                        return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
+                      }),
            at_one_root(),
            of_answers("s is read as an integer: its fraction is dropped, and 0 is a miss",
                       [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
@@ -298,7 +299,7 @@ std::vector<Mistake> intersect_mistakes() {
                                      : Hit();
                         }}),
            of_hits(
-               "v < 0 counts as a miss, so that spheres around the origin are not seen where their "
+               "v < 0 counts as a miss, so that spheres around the origin are not seen if their "
                "centres lie behind it",
                {.choose =
                     [](const Ray& ray, const Roots& roots, const Conventions& c) {
@@ -331,13 +332,13 @@ std::vector<Mistake> intersect_mistakes() {
                                     : Hit();
                        }),
            of_value(
-               "s is a length whatever the length of the direction",
+               "s is a length, not a multiple of the direction",
                [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
                },
                returns_multiples),
            of_value(
-               "s is a length, and Q = L + s D though D is not a unit vector",
+               "s is a length, but Q = L + s D with a D that is not a unit vector",
                [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return hit_at(ray, hit.parameter * norm(ray.direction));
                },
@@ -349,9 +350,9 @@ std::vector<Mistake> intersect_mistakes() {
            of_hits("the sphere whose centre is nearest wins",
                    {.rank = [](auto, const Ray& ray, const Sphere& sphere, auto&,
                                double) { return norm(sphere.centre - ray.origin); }}),
-           of_hits("the smallest s wins, though it is negative",
+           of_hits("the smallest s wins, even if it is negative",
                    {.choose = wherever_behind, .rank = by_parameter(1)}),
-           of_hits("s >= 0 is not tested, and the least |s| wins, though s is negative",
+           of_hits("s >= 0 is not tested, and the least |s| wins, even if s is negative",
                    {.choose = wherever_behind,
                     .rank = [](auto, auto&, auto&, auto&, double s) { return std::abs(s); }}),
            of_hits("the farthest sphere wins", {.rank = by_parameter(-1)}),

@@ -11,7 +11,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// For single-precision candidates, only the loss is reported, not that they compute in floats.
+/// The sentence of lost digits. For single-precision candidates it does not mention that they
+/// compute in floats.
 std::string sentence_of(const Examination& examination, Arithmetic arithmetic, double radii) {
   if (!examination.is_single()) return imprecision_sentence(arithmetic, radii);
   const bool is_expanded =
@@ -20,16 +21,16 @@ std::string sentence_of(const Examination& examination, Arithmetic arithmetic, d
          imprecision_sentence(is_expanded ? Arithmetic::kExpanded : Arithmetic::kDifference, radii);
 }
 
-/// Relative errors of s above this number of roundings of the candidate's format are examined.
+/// Only relative errors of s above this many u of the candidate's format are examined.
 constexpr double kNoticed = 512;
 
-/// Errors of s that point to one formula.
+/// The errors of s that point to one formula.
 struct SmallErrors {
   std::uint64_t wrong = 0;
   double radii = 0;  ///< The least distance of a sphere with such an error.
 };
-/// The errors at kIntersect that point to a formula. Empty if the formula does not allow some hit
-/// class or error, or if too few point to it.
+/// The errors at kIntersect that point to a formula. Empty if the formula does not allow one of the
+/// hit classes or errors, or if too few errors point to it.
 template <class AllowsClass, class Allows, class IsTelling>
 std::optional<SmallErrors> small_errors(Examination& examination, const AllowsClass& allows_class,
                                         const Allows& allows, const IsTelling& is_telling) {
@@ -69,8 +70,9 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
           kAnswerTolerances.front()};
 }
 
-/// Roots q/a and c/q lose the digits that q = v + d or v - d loses; so does the larger root, if q
-/// is the one that cancels. From inside a sphere roundings of d^2 do not change the larger root.
+/// The cause that q cancels: the roots q/a and c/q lose the digits that q = v + d or v - d loses,
+/// and the larger root does, too, if q is the cancelling one. From inside a sphere, roundings of
+/// d^2 do not change the larger root.
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   const auto found = small_errors(
       examination, [](const auto&...) { return false; },
@@ -90,8 +92,8 @@ std::optional<AnswerCause> cancelling_q(Examination& examination) {
   return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong inner sign: it cancels", *found);
 }
 
-/// d^2 as a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps, also if too much is
-/// in doubt for wrong hit classes to be evidence.
+/// The cause that d^2 is a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps.
+/// Found also if too many hit classes are in doubt to be evidence.
 std::optional<AnswerCause> cancelling_difference(Examination& examination) {
   const bool is_single = examination.is_single();
   const auto within = [](Arithmetic arithmetic) {
@@ -123,9 +125,9 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
                                       Arithmetic::kSingle, Arithmetic::kSingleDifference}) {
     const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
     if (!tally.tells()) continue;
-    // Right answers with more digits than floats have are not computed in floats.
+    // Right answers with more digits than floats have were not computed in floats.
     if (arithmetic != Arithmetic::kDifference && 2 * tally.precise > tally.hits) continue;
-    // For single-precision candidates floats are not a mistake.
+    // In single-precision candidates, floats are not a mistake.
     if (arithmetic == Arithmetic::kSingle && examination.is_single()) continue;
     return AnswerCause{
         step,
@@ -152,7 +154,7 @@ std::optional<AnswerCause> lost_digits_of_rays(Examination& examination) {
                            &right = comparison.right[k].vectors[1];
       const double off = norm(scene::Vector3{D.x - right.x, D.y - right.y, D.z - right.z});
       if (off <= kNoticed * u) continue;
-      // |P - E|: D . W is the cosine of its angle to the view.
+      // |P - E|, from D . W, the cosine of its angle to the view.
       const double g = std::abs(camera.near / (right.x * W.x + right.y * W.y + right.z * W.z));
       if (!(off <= kRoundings * u * (norm(E) / g + 1))) return {};
       ++wrong;
@@ -161,8 +163,8 @@ std::optional<AnswerCause> lost_digits_of_rays(Examination& examination) {
   if (wrong < kFewestWrongByRoundings) return {};
   return AnswerCause{
       Step::kRay,
-      {{"E is added to P and subtracted again: far from the world's origin D loses its digits, "
-        "which nW + alpha U + beta V keeps",
+      {{"E is added to P and subtracted again: far from the world's origin D loses its digits; "
+        "nW + alpha U + beta V keeps them",
         wrong, wrong}},
       {},
       kAnswerTolerances.front()};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Finds the digits that a formula loses from its answers. Internal to answer_explanation.
+// Finds out from the answers which formula loses digits. Internal to answer_explanation.
 
 #include <optional>
 
@@ -8,12 +8,14 @@
 
 namespace raycheck::properties {
 
-/// The roundings that explain the wrong answers at kIntersect or kNearest, if there are such.
+/// The roundings that explain the wrong answers at kIntersect or kNearest; empty if none do.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance);
 
-/// The cause of the errors of answers that are right up to kAnswerTolerances, if it is found.
+/// The cause of the errors of hits that are right up to kAnswerTolerances; empty if it is not
+/// found.
 std::optional<AnswerCause> lost_digits(Examination& examination);
-/// The same for directions.
+/// The cause of the errors of directions that are right up to kAnswerTolerances; empty if it is not
+/// found.
 std::optional<AnswerCause> lost_digits_of_rays(Examination& examination);
 
 }  // namespace raycheck::properties

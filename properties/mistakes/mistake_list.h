@@ -1,7 +1,7 @@
 #pragma once
 
-// The mistakes by subject, each list in the file of that name, without their candidates. Internal
-// to properties/.
+// The lists of mistakes by subject, each defined in the file of its name. Mistake::candidate is
+// still empty. Internal to properties/.
 
 #include <cmath>
 #include <initializer_list>
@@ -28,13 +28,13 @@ double norm(const Triple& v) {
 }
 scene::Vector3 normalised(const scene::Vector3& v);
 
-/// The right answers for another camera.
+/// A mistake whose answers are right for another camera.
 inline Mistake camera_mistake(std::string sentence, ChangeCamera change,
                               Step step = Step::kPixelPoint) {
   return {.sentence = std::move(sentence), .step = step, .camera = std::move(change)};
 }
 
-/// One list after another.
+/// Concatenates lists.
 inline std::vector<Mistake> all_of(std::initializer_list<std::vector<Mistake>> lists) {
   std::vector<Mistake> all;
   for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
@@ -43,8 +43,8 @@ inline std::vector<Mistake> all_of(std::initializer_list<std::vector<Mistake>> l
 
 std::vector<Mistake> input_mistakes();
 std::vector<Mistake> number_mistakes();
-/// Mistakes in the pixels' positions between the bounds; follow the mistakes in bounds, from which
-/// they are made.
+/// Mistakes in the pixels' positions between the bounds. They are made from the mistakes in bounds,
+/// and follow these in mistakes().
 std::vector<Mistake> step_mistakes();
 std::vector<Mistake> camera_mistakes();
 std::vector<Mistake> intersect_mistakes();

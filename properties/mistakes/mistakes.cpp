@@ -33,7 +33,7 @@ void walk(const CameraFormulas& formulas, const Camera& camera, const Convention
   }
 }
 
-/// Makes rays by these formulas.
+/// Makes the candidate use these formulas for its rays.
 void use(CameraFormulas formulas, Candidate& candidate) {
   if (!formulas.frame) formulas.frame = candidate.frame;
   if (!formulas.point) {
@@ -68,7 +68,7 @@ void use(CameraFormulas formulas, Candidate& candidate) {
   candidate.focal_rays = rays_from(true);
 }
 
-/// The arguments of a question about a camera's pixels, as a mistake takes them.
+/// The arguments of a question about a camera's pixels, as code with the mistake reads them.
 struct Input {
   Input(const Mistake& mistake, const Camera& given, const Conventions& under, Candidate::Pixels of)
       : scene(mistaken(mistake, {given, {}, {}, under})), pixels(of.begin(), of.end()) {
@@ -80,7 +80,7 @@ struct Input {
   std::vector<Pixel> pixels;
 };
 
-/// Takes another camera, other conventions or another pixel.
+/// Makes the candidate use the mistake's camera, conventions and pixels.
 void change_camera(const Mistake& mistake, Candidate& candidate) {
   const Candidate right = candidate;
   candidate.frame = [right, mistake](const Camera& camera) {
@@ -105,7 +105,7 @@ void change_camera(const Mistake& mistake, Candidate& candidate) {
   candidate.focal_rays = rays_from(Origin::kFocal);
 }
 
-/// Takes other spheres, or other conventions.
+/// Makes the candidate use the mistake's spheres and conventions.
 void change_spheres(const Mistake& mistake, Candidate& candidate) {
   const auto taking = [&mistake](const auto& answer) {
     return [mistake, answer](Candidate::Rays rays, Candidate::Spheres given,
@@ -131,7 +131,8 @@ void change_hits(const ChangeHit& change, Candidate& candidate) {
             });
 }
 
-/// Takes the formulas of all. One with a rank leaves the hits as they are.
+/// Makes the candidate use the hit formulas of all mistakes. A formula with a rank does not change
+/// hits.
 void use_hits(std::span<const Mistake* const> mistakes, Candidate& candidate) {
   HitFormulas hits, nearest;
   for (const Mistake* one : mistakes) {
@@ -194,7 +195,7 @@ Candidate candidate_with(std::span<const Mistake* const> mistakes) {
     if (one->makes_rays()) use(one->rays, candidate);
   }
   const std::vector<const Mistake*> ordered = in_order(mistakes);
-  // The last wrapper is the first to change the input.
+  // The wrapper that is added last changes the input first.
   for (auto at = ordered.rbegin(); at != ordered.rend(); ++at) {
     const Mistake& one = **at;
     if (one.camera || one.conventions || one.pixel) change_camera(one, candidate);

@@ -11,23 +11,23 @@
 
 namespace raycheck::properties {
 
-/// The step at which a mistake is made: the first answer that shows it.
+/// The step at which a mistake is made. The answers at this step are the first that show it.
 enum class Step { kFrame, kPixelPoint, kRay, kIntersect, kNearest };
 inline constexpr std::size_t kStepCount = 5;
 
-/// Another camera than the one given, under its conventions; it may be invalid.
+/// Changes the camera, under its conventions; the result may be invalid.
 using ChangeCamera = std::function<void(scene::Camera&, const scene::Conventions&)>;
-/// Other conventions than those given.
+/// Changes the conventions.
 using ChangeConventions = std::function<void(scene::Conventions&)>;
-/// Another pixel than the one asked about; it may lie outside the image.
+/// Returns another pixel than the one asked about; it may lie outside the image.
 using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene::Conventions&,
                                                const scene::Pixel&)>;
-/// Another sphere than the one given.
+/// Changes the sphere.
 using ChangeSphere = std::function<void(scene::Sphere&)>;
-/// Another hit than the right one.
+/// Returns another hit than the right one.
 using ChangeHit = std::function<HitAnswer(const scene::Ray&, const scene::Sphere&, HitAnswer)>;
 
-/// The formulas from a camera to its rays; an empty one is the right one.
+/// The formulas from a camera to its rays; an empty one stands for the right formula.
 struct CameraFormulas {
   std::function<FrameAnswer(const scene::Camera&)> frame = {};
   /// P from g = nW + alpha U + beta V
@@ -35,7 +35,7 @@ struct CameraFormulas {
   /// D from P and g
   std::function<scene::Vector3(const scene::Camera&, const scene::Point3&, const scene::Vector3&)>
       direction = {};
-  bool starts_at_eye = false;  ///< Whatever the origin convention says.
+  bool starts_at_eye = false;  ///< Even if the origin convention says otherwise.
 };
 
 /// For Mistake::is_offered: the mistake explains only pictures.
@@ -49,36 +49,40 @@ struct Mistake {
   ChangeConventions conventions = {};
   ChangePixel pixel = {};
   ChangeSphere sphere = {};
-  /// Pixels that `pixel` puts outside the image are black; otherwise they have rays, too.
+  /// Whether pixels that `pixel` moves outside the image are black. If not, they have rays like the
+  /// others.
   bool black_outside = false;
   CameraFormulas rays = {};
   HitFormulas hits = {};
-  ChangeHit hit = {};               ///< Pictures do not show it.
-  bool is_told_by_pictures = true;  ///< Whether pictures distinguish it.
-  /// Whether a candidate can make the mistake; null: every candidate can.
+  ChangeHit hit = {};             ///< Pictures do not show it.
+  bool shows_in_pictures = true;  ///< Whether pictures may show the mistake.
+  /// Whether a candidate can make the mistake. If null, every candidate can.
   bool (*is_offered)(const Candidate&) = nullptr;
-  bool is_rounding = false;  ///< Rounds numbers to floats, which few answers show up to 1e-6.
-  /// Mistakes of one family differ in a size, and each changes all answers that the one before it
-  /// changes: of several that explain the same answers the first is named. Empty: no family.
-  std::string_view family = {};
-  /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
-  /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
+  /// Rounds numbers to floats, which changes few answers by more than 1e-6.
+  bool is_rounding = false;
+  /// The name of the mistake's group; empty if it has none. Mistakes of one group differ only in a
+  /// size, and each changes at least the answers that the one before it changes. If several of a
+  /// group explain the same answers, only the first is named.
+  std::string_view group = {};
+  /// Makes the mistake; its other answers are those of direct/cross, in doubles. It has the
+  /// functions `frame` to `nearest`. It throws std::invalid_argument if the change makes the camera
+  /// invalid.
   Candidate candidate = {};
 
-  /// Whether it makes rays by its own formula.
+  /// Whether the mistake is in the formulas of rays.
   bool makes_rays() const { return rays.frame || rays.point || rays.direction; }
 };
 
 /// Every mistake; their sentences differ.
 std::span<const Mistake> mistakes();
-/// Mistakes in the order of mistakes(), in which they change their input.
+/// Sorts mistakes as in mistakes(), the order in which they are applied.
 std::vector<const Mistake*> in_order(std::span<const Mistake* const> some);
-/// Makes several, which can be together (fault.h), as a mistake's candidate makes one.
+/// A candidate that makes all these mistakes. Domain: mistakes that can be together (fault.h).
 Candidate candidate_with(std::span<const Mistake* const> mistakes);
 /// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 
-/// The scene as the mistake takes it; may be invalid.
+/// The scene as code with this mistake reads it; it may be invalid.
 scene::Scene mistaken(const Mistake& mistake, scene::Scene scene);
 
 }  // namespace raycheck::properties

@@ -1,4 +1,4 @@
-// Numbers of a scene that are read, or used, wrongly: bounds in place of others, and as integers.
+// Numbers of a scene that are read or used wrongly: wrong bounds, numbers read as integers, floats.
 
 #include <algorithm>
 #include <array>
@@ -24,12 +24,12 @@ double aspect(const Camera& camera) {
   return static_cast<double>(camera.width) / static_cast<double>(camera.height);
 }
 
-/// In the order of the lecture.
+/// The bounds in the order of the lecture.
 constexpr std::array<double Camera::*, 4> kBounds = {&Camera::left, &Camera::right, &Camera::bottom,
                                                      &Camera::top};
 constexpr std::array<const char*, 4> kBoundNames = {"left", "right", "bottom", "top"};
 
-/// Gives a picture without width or height a minimal one, so that no formula divides by 0.
+/// Gives bounds without width or height a minimal one, so that no formula divides by 0.
 void keep_apart(Camera& camera) {
   const auto beyond = [](double x) {
     return std::nextafter(x, std::numeric_limits<double>::infinity());
@@ -41,22 +41,22 @@ void keep_apart(Camera& camera) {
 struct BoundChange {
   std::string sentence;
   std::function<void(Camera&)> change;
-  std::string_view family = {};
+  std::string_view group = {};
 };
 
 std::vector<Mistake> of_bounds(const std::vector<BoundChange>& changes) {
   std::vector<Mistake> all;
-  for (const auto& [sentence, change, family] : changes) {
+  for (const auto& [sentence, change, group] : changes) {
     all.push_back(camera_mistake(sentence, [change = change](Camera& its, const auto&) {
       change(its);
       keep_apart(its);
     }));
-    all.back().family = family;
+    all.back().group = group;
   }
   return all;
 }
 
-/// Which bound is used for which, in kBounds' order.
+/// For each bound, the index in kBounds of the bound that is used instead.
 using Order = std::array<std::size_t, 4>;
 
 /// "top is taken from right and right from top"
@@ -83,10 +83,10 @@ BoundChange of_order(const Order& order) {
           }};
 }
 
-/// Equivalent to "rows are upside down", "columns are mirrored", or both.
+/// Whether the order is equivalent to "rows are upside down", "columns are mirrored", or both.
 bool mirrors(const Order& order) { return order[0] < 2 && order[1] < 2; }
 
-/// One bound taken from another, and the bounds in another order.
+/// Mistakes that take one bound from another, or the bounds in another order.
 std::vector<BoundChange> exchanged_bounds() {
   std::vector<BoundChange> all;
   for (std::size_t taken = 0; taken < 4; ++taken) {
@@ -110,10 +110,10 @@ void centre(Camera& its, double right, double top) {
   its.left = -right, its.right = right, its.bottom = -top, its.top = top;
 }
 
-/// Cameras with a field of view have symmetric bounds of square pixels: these follow from the size
-/// of one side, which is not the right one. First bounds of the right size.
+/// Cameras with a field of view have symmetric bounds and square pixels. Here the bounds follow
+/// from the size of one side, which is the wrong one. First in the list: bounds of the right size.
 std::vector<BoundChange> field_of_view_changes() {
-  constexpr const char* kFamily = "field of view";
+  constexpr const char* kGroup = "field of view";
   struct Where {
     const char* words;
     bool (*is)(double aspect);
@@ -126,7 +126,7 @@ std::vector<BoundChange> field_of_view_changes() {
       {"the image plane is taken to be centred: half its width is (right - left)/2, half its "
        "height "
        "(top - bottom)/2",
-       [](Camera& its) { centre(its, half_width(its), half_height(its)); }, kFamily}};
+       [](Camera& its) { centre(its, half_width(its), half_height(its)); }, kGroup}};
   for (const bool across : {true, false}) {
     for (const auto& [words, is] : kWhere) {
       const std::string sentence = across
@@ -141,7 +141,7 @@ std::vector<BoundChange> field_of_view_changes() {
                        }
                        centre(its, right, top);
                      },
-                     kFamily});
+                     kGroup});
     }
   }
   return all;
@@ -190,7 +190,7 @@ std::vector<BoundChange> bound_changes() {
       {"all four bounds are negated", [](Camera& its) { scale(its, -1, -1); }}};
 }
 
-/// How a number is read.
+/// Returns a number as it is read.
 using Reading = double (*)(double);
 double as_integer(double x) { return std::trunc(x); }
 double as_float(double x) { return scene::rounded_to(scene::Precision::kSingle, x); }
@@ -226,7 +226,8 @@ ChangeSphere read_sphere(Reading as) {
   };
 }
 
-/// The root of r * r in 32-bit integers; 0 where that is negative. Spheres too large for one stay.
+/// The root of r * r in 32-bit integer arithmetic; 0 if r * r becomes negative. Radii that are too
+/// large for an integer stay.
 double root_of_wrapped_square(double radius) {
   if (!(radius < 0x1p32)) return radius;
   const auto r = static_cast<std::uint32_t>(radius);
@@ -238,7 +239,7 @@ Mistake sphere_mistake(std::string sentence, ChangeSphere change) {
   return {.sentence = std::move(sentence), .step = Step::kIntersect, .sphere = std::move(change)};
 }
 
-/// All numbers, the camera's and the spheres'.
+/// Mistakes that read numbers in this way: all numbers, the camera's, or the spheres'.
 std::vector<Mistake> readings(Reading as, const std::string& how) {
   return {{.sentence = "numbers are " + how,
            .step = Step::kFrame,
@@ -254,14 +255,14 @@ scene::Ray ray_of_floats(scene::Ray ray) {
   return ray;
 }
 
-/// Q follows from s, unless only Q is rounded.
+/// Rounds s, Q or both to floats. Q follows from s, unless only Q is rounded.
 HitAnswer of_floats(const scene::Ray& ray, HitAnswer hit, bool s, bool Q) {
   if (s) hit = hit_at(ray, as_float(hit.parameter));
   if (Q) read_triple(as_float, hit.point);
   return hit;
 }
 
-/// Floats within code of doubles: the input, or one result.
+/// Floats in code that computes in doubles: the input, or one result.
 std::vector<Mistake> float_mistakes() {
   std::vector<Mistake> all = readings(as_float, "rounded to floats");
   const HitFormulas of_rays = {
@@ -301,7 +302,7 @@ std::vector<Mistake> float_mistakes() {
        }}});
   for (Mistake& mistake : all) {
     mistake.is_rounding = true;
-    mistake.is_told_by_pictures = false;
+    mistake.shows_in_pictures = false;
   }
   return all;
 }
@@ -323,7 +324,7 @@ std::vector<Mistake> sphere_mistakes() {
                          [](Sphere& its) { its.radius = std::sqrt(its.radius); })};
 }
 
-/// Some of the camera's numbers, or all numbers, are read as integers.
+/// Mistakes that read some of the camera's numbers, or all numbers, as integers.
 std::vector<Mistake> integer_mistakes() {
   const std::string how = "read as integers: their fractions are dropped";
   const auto view = [](Camera& its, auto&) { read_view(as_integer, its); };

@@ -9,7 +9,7 @@ namespace {
 
 bool is_right(const Evidence& one) { return one.all_errors() == 0; }
 
-/// The kind shared by all pictures of scenes with something to see.
+/// The kind that all pictures share that should show a sphere.
 std::optional<CauseKind> kind_of_all(const Pictures& pictures) {
   const auto all = [&](const auto& is) {
     bool is_wrong = false;
@@ -38,7 +38,7 @@ bool may_be_imprecise(const Pictures& pictures) {
   return tally_of({}, pictures, kArithmetics.back()).allows_all();
 }
 
-/// The pictures of which roundings leave half or more certain.
+/// The pictures of which at least half of the pixels do not depend on roundings.
 Pictures mostly_certain(const Pictures& pictures, Arithmetic arithmetic) {
   Pictures certain;
   for (const Evidence& one : pictures) {
@@ -48,8 +48,8 @@ Pictures mostly_certain(const Pictures& pictures, Arithmetic arithmetic) {
   return certain;
 }
 
-/// Finds the fewest roundings that explain the wrong pixels, with or without an explanation of the
-/// pictures that they leave certain.
+/// Finds the smallest roundings that explain the wrong pixels, without a fault or with one that
+/// explains the mostly certain pictures.
 bool find_imprecision(const Pictures& pictures, Causes& causes) {
   const auto is_found = [&](const Fault& fault, Arithmetic arithmetic) {
     const DoubtTally tally = tally_of(fault, pictures, arithmetic);
@@ -62,7 +62,8 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
     causes.kind = CauseKind::kImprecise;
     return true;
   }
-  // More roundings never leave more certain pictures: if as many, the result is the same.
+  // Larger roundings never leave more pictures mostly certain. If they leave as many, the result is
+  // the same.
   std::size_t known = pictures.size();
   std::vector<Suspect> found;
   for (const Arithmetic arithmetic : kArithmetics) {
@@ -78,15 +79,15 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
   return false;
 }
 
-/// Whether a fault makes these pictures without excuses, except for what kMostLeftOfAll allows.
-/// Pictures that excuses make entirely right do not count.
+/// Whether a fault makes these pictures without excuses, except for the share kMostLeftOfAll of the
+/// pixels. Ignores pictures whose wrong pixels are all excused.
 bool makes_nearly_all(const Fault& fault, const Pictures& pictures, std::uint64_t errors) {
   return static_cast<double>(count_otherwise(pictures, fault)) <=
          static_cast<double>(errors) * kMostLeftOfAll + static_cast<double>(pictures.size());
 }
 
-/// Pixels of pictures with width and height exchanged, if all that are not square have that: a
-/// right one contradicts.
+/// The number of pixels of pictures with width and height exchanged, if all pictures that are not
+/// square are exchanged; otherwise 0.
 std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
   std::uint64_t pixels = 0;
   for (const ShownPicture& one : shown) {

@@ -45,7 +45,7 @@ namespace {
 
 using scene::Pixel;
 
-/// The number of wrong pixels, and of right ones, in the first sample.
+/// The number of wrong pixels, and of right pixels, in the first sample.
 constexpr std::size_t kSampled = 24;
 constexpr std::size_t kSampleParts = 3;
 
@@ -58,7 +58,7 @@ bool shows_nothing(const ImageAnswer& image) {
   return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
 }
 
-/// At most `most` of the pixels, evenly spread.
+/// At most `most` of the pixels, spread evenly.
 std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t most) {
   std::vector<Pixel> some;
   const std::size_t count = std::min(pixels.size(), most);
@@ -68,7 +68,7 @@ std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t most) {
   return some;
 }
 
-/// Splits these pixels into kSampleParts parts, dealt out in turn.
+/// Deals these pixels out, in turn, to kSampleParts parts.
 void add_parts(const std::vector<Pixel>& pixels, std::vector<std::vector<Pixel>>& parts) {
   for (std::size_t first = 0; first < std::min(kSampleParts, pixels.size()); ++first) {
     std::vector<Pixel>& part = parts.emplace_back();
@@ -76,7 +76,8 @@ void add_parts(const std::vector<Pixel>& pixels, std::vector<std::vector<Pixel>>
   }
 }
 
-/// Which of the spheres an image shows somewhere; kSomeSphere counts as the one expected there.
+/// For each sphere, whether an image shows it somewhere; kSomeSphere counts as the sphere expected
+/// at that pixel.
 std::vector<bool> shown_of(std::size_t spheres, const ImageAnswer& image,
                            const ImageAnswer& expected) {
   std::vector<bool> shown(spheres);
@@ -177,7 +178,7 @@ void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& 
   }
   const auto doubtful = static_cast<std::size_t>(std::count_if(
       sights.begin(), sights.end(), [](const PossibleSight& one) { return one.is_doubtful; }));
-  // If most pixels were in doubt, excuses would make everything right.
+  // If most pixels were in doubt, excuses would make any picture right.
   const std::vector<bool> shown = shown_of(taken.spheres.size(), picture_->image, made);
   const bool excuses = 2 * doubtful <= pixels_.size();
   for (std::size_t k = 0; k < pixels_.size(); ++k) {
@@ -191,7 +192,8 @@ void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& 
 }
 
 std::optional<std::uint64_t> Evidence::left(const FaultyView& view, std::uint64_t most) const {
-  // An explanation of half of a picture is not its cause; a right picture contradicts it.
+  // A fault that explains less than half of a picture is not its cause, and a right picture
+  // contradicts a fault.
   most = std::min(most, std::max<std::uint64_t>(1, errors_ / 2));
   std::uint64_t count = 0;
   for (std::size_t first = 0; first < pixels_.size(); first += kPixelsAtATime) {

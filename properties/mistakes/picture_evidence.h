@@ -1,7 +1,6 @@
 #pragma once
 
-// Pictures, how well a fault agrees with them, and the faults that explain them. Internal to
-// picture_causes.
+// How well faults agree with pictures, and which faults explain them. Internal to picture_causes.
 
 #include <optional>
 #include <span>
@@ -20,32 +19,33 @@ class Evidence {
 
   const ShownPicture& picture() const { return *picture_; }
   const ImageAnswer& truth() const { return truth_; }
-  /// Wrong pixels, with or without those that a change of the scene by kExcusedImageChange excuses.
+  /// The number of wrong pixels; errors(): without those that a change of the scene by
+  /// kExcusedImageChange excuses.
   std::uint64_t all_errors() const { return all_errors_; }
   std::uint64_t errors() const { return errors_; }
-  /// It shows nothing, though there is something to see.
+  /// Whether it shows nothing, though it should show a sphere.
   bool is_black() const { return is_black_; }
   bool has_something_to_see() const;
-  /// Every pixel shows the same sphere.
+  /// Whether every pixel shows the same sphere.
   bool is_uniform() const;
-  /// No pixel is black, and most have a colour of no sphere, or none is wrong.
+  /// Whether no pixel is black, and most pixels have a colour of no sphere, or no pixel is wrong.
   bool has_background() const;
 
   /// Pixels spread evenly over the picture; all of them if it is small.
   std::vector<scene::Pixel> some_pixels() const;
 
-  /// Some of the pixels in parts, each spread over the whole picture, the wrong ones first;
-  /// left_of(): the number in a part that differ from the fault's.
+  /// Some of the pixels, in parts, each spread over the whole picture; the wrong pixels come first.
+  /// left_of(): the number of pixels of a part that differ from the fault's picture.
   std::span<const std::vector<scene::Pixel>> sample() const { return sample_; }
   std::uint64_t left_of(const std::vector<scene::Pixel>& part, const FaultyView& view) const;
 
-  /// How well the roundings of a formula, on top of the fault, agree with the pixels; excuses count
-  /// if most pixels are certain.
+  /// How well the roundings of a formula, in addition to the fault, agree with the pixels. Excused
+  /// pixels count as right if most pixels are certain.
   void tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& all) const;
 
-  /// The number of pixels that differ from the fault's, without those that a change of the scene by
-  /// kExcusedImageChange makes agree; empty if more than `most`, or too many for the fault to be
-  /// possible.
+  /// The number of pixels that differ from the fault's picture, without those that a change of the
+  /// scene by kExcusedImageChange makes agree. Empty if there are more than `most`, or too many for
+  /// the fault to be possible.
   std::optional<std::uint64_t> left(const FaultyView& view, std::uint64_t most) const;
 
  private:
@@ -69,10 +69,10 @@ std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expec
 
 using Pictures = std::vector<Evidence>;
 
-/// The number of pixels of pictures that are not exactly as a fault makes them.
+/// The number of pixels that are not exactly as the fault makes them.
 std::uint64_t count_otherwise(const Pictures& pictures, const Fault& fault);
 
-/// A fault that is not refuted, and the number of pixels that it does not explain.
+/// A fault that the pictures do not refute, and the number of pixels that it does not explain.
 struct Suspect {
   Fault fault;
   std::uint64_t left = 0;
@@ -80,12 +80,12 @@ struct Suspect {
 
 struct Suspects {
   std::vector<Suspect> all = {};
-  bool are_too_many = false;  ///< Then the list is empty: the pictures show too little.
+  bool are_too_many = false;  ///< Then `all` is empty: the pictures show too little.
 };
 
-/// The faults that explain pictures with errors, the best first (see picture_causes()); `pictures`
-/// with most errors come first. If all are right except for excuses: the faults that make exactly
-/// these.
+/// The faults that explain the pictures, the best first (see picture_causes()). If all wrong pixels
+/// are excused: the faults that make exactly these pictures. Domain: the pictures with most errors
+/// come first.
 Suspects find_suspects(const Pictures& pictures);
 
 }  // namespace raycheck::properties

@@ -12,18 +12,19 @@
 namespace raycheck::properties {
 namespace {
 
-const std::vector<const Mistake*>& told_by_pictures() {
-  static const std::vector<const Mistake*> kTold = [] {
-    std::vector<const Mistake*> told;
+const std::vector<const Mistake*>& shown_in_pictures() {
+  static const std::vector<const Mistake*> kShown = [] {
+    std::vector<const Mistake*> shown;
     for (const Mistake& one : mistakes()) {
-      if (one.is_told_by_pictures) told.push_back(&one);
+      if (one.shows_in_pictures) shown.push_back(&one);
     }
-    return told;
+    return shown;
   }();
-  return kTold;
+  return kShown;
 }
 
-/// The best suspects so far. One that leaves half as many pixels again is about as good.
+/// The best suspects so far. A suspect that leaves at most half as many pixels again is about as
+/// good.
 class BestSuspects {
  public:
   explicit BestSuspects(std::uint64_t most_left) : best_(most_left), most_left_(most_left) {}
@@ -48,8 +49,8 @@ class BestSuspects {
   std::vector<Suspect> found_;
 };
 
-/// A cause leaves at most this many pixels of the first sample unexplained, plus one in
-/// kShareOfOne, or in kShareOfTwo if it is two mistakes.
+/// A cause leaves at most this many pixels of the first sample unexplained, and in addition one
+/// pixel in kShareOfOne, or in kShareOfTwo for two mistakes.
 constexpr std::uint64_t kMostLeftOfSample = 4;
 constexpr std::uint64_t kShareOfOne = 4, kShareOfTwo = 12;
 
@@ -75,7 +76,7 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
   return count;
 }
 
-/// Whether two faults make the same pictures, up to one pixel.
+/// Whether two faults make the same pictures, except for at most one pixel.
 bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
   std::uint64_t different = 0;
   for (const Evidence& one : pictures) {
@@ -87,11 +88,11 @@ bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
 }
 
 std::string_view name_of(const Mistake* one) {
-  return one->family.empty() ? std::string_view(one->sentence) : one->family;
+  return one->group.empty() ? std::string_view(one->sentence) : one->group;
 }
 
-/// Of suspects that differ only within a family, keeps the first.
-void keep_first_of_families(std::vector<Suspect>& suspects) {
+/// Keeps the first of suspects that differ only within a group.
+void keep_first_of_groups(std::vector<Suspect>& suspects) {
   std::set<std::vector<std::string_view>> known;
   std::erase_if(suspects, [&](const Suspect& suspect) {
     std::vector<std::string_view> names;
@@ -102,7 +103,8 @@ void keep_first_of_families(std::vector<Suspect>& suspects) {
   });
 }
 
-/// If some suspects make exactly these pictures, up to one pixel, drops those that need excuses.
+/// If some suspects make exactly these pictures, except for at most one pixel, drops those that
+/// need excuses.
 void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
   const auto is_exact = [&](const Suspect& suspect) {
     return count_otherwise(pictures, suspect.fault) <= 1;
@@ -111,7 +113,7 @@ void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
   if (end != suspects.begin()) suspects.erase(end, suspects.end());
 }
 
-/// A scene's camera before a sphere beyond the image plane.
+/// The camera of a scene, with one sphere beyond the image plane.
 scene::Scene plain(scene::Scene scene) {
   const scene::Camera& camera = *scene.camera;
   const scene::Vector3 ahead = normalised(camera.look_at - camera.eye);
@@ -122,8 +124,8 @@ scene::Scene plain(scene::Scene scene) {
   return scene;
 }
 
-/// Of too many suspects keeps those that order spheres rightly, if there are such, and of these the
-/// ones that change a plain picture least.
+/// Reduces too many suspects: keeps those that rank spheres correctly, if there are any, and of
+/// these the ones that change a plain picture least.
 void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
   if (suspects.size() <= kMostAlternatives || suspects.front().fault.size() > 1) return;
   const auto keep = [&](const auto& measure) {
@@ -140,11 +142,11 @@ void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
   });
 }
 
-/// The suspects to name: all, if they make the same pictures; if they are too many, the
-/// likeliest, or one that describes the picture.
+/// The suspects to name: all if they make the same pictures; if these are too many, the likeliest,
+/// or one that describes the picture.
 std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures& pictures) {
   if (suspects.empty()) return suspects;
-  keep_first_of_families(suspects);
+  keep_first_of_groups(suspects);
   prefer_exact(suspects, pictures);
   for (std::size_t k = 1; k < suspects.size(); ++k) {
     if (!make_the_same(suspects.front().fault, suspects[k].fault, pictures)) return {};
@@ -160,17 +162,17 @@ std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures&
 
 std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t errors) {
   BestSuspects suspects(most_unexplained(errors));
-  for (const Mistake* mistake : told_by_pictures()) {
+  for (const Mistake* mistake : shown_in_pictures()) {
     const Fault fault = {mistake};
     if (const auto its = left(fault, pictures, suspects.most_left())) suspects.add({fault, *its});
   }
   return suspects.take();
 }
 
-/// The mistakes that show in the pictures, or the first of them up to a limit; of those that make
-/// the same pictures, one.
+/// The mistakes that show in the pictures, or the first of them up to a limit; one of those that
+/// make the same pictures.
 std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
-                                               std::size_t most = told_by_pictures().size()) {
+                                               std::size_t most = shown_in_pictures().size()) {
   std::set<std::vector<ImageAnswer>> known;
   const auto made = [&](const Fault& fault) {
     std::vector<ImageAnswer> images;
@@ -181,21 +183,21 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
   };
   known.insert(made({}));
   std::vector<const Mistake*> shown;
-  for (const Mistake* mistake : told_by_pictures()) {
+  for (const Mistake* mistake : shown_in_pictures()) {
     if (shown.size() == most) break;
     if (known.insert(made({mistake})).second) shown.push_back(mistake);
   }
   return shown;
 }
 
-/// A mistake, and those that make the same pictures in its place, together with `other`; if they
-/// are too many to name, the one that describes the picture, if any.
+/// A mistake, and the mistakes that, together with `other`, make the same pictures in its place. If
+/// these are too many to name, the one that describes the picture, if any.
 std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mistake,
                                          const Pictures& pictures) {
   std::vector<const Mistake*> alike = {&mistake};
-  for (const Mistake* one : told_by_pictures()) {
+  for (const Mistake* one : shown_in_pictures()) {
     const bool is_known =
-        one == &mistake || one == &other || (!one->family.empty() && one->family == mistake.family);
+        one == &mistake || one == &other || (!one->group.empty() && one->group == mistake.group);
     if (!is_known && can_be_together(*one, other) &&
         make_the_same({&mistake, &other}, {one, &other}, pictures)) {
       alike.push_back(one);
@@ -221,7 +223,7 @@ std::vector<Suspect> with_ties(const Suspect& pair, const Pictures& pictures) {
   return ties;
 }
 
-/// The most pixels that a full explanation may leave.
+/// A full explanation may leave at most this many pixels.
 std::uint64_t most_left_of_all(const Pictures& pictures, std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * kMostLeftOfAll) +
          std::min<std::uint64_t>(pictures.size(), errors / 20);
@@ -240,15 +242,15 @@ std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t e
   return suspects.take();
 }
 
-/// Pictures in which fewer than one in this many mistakes shows are weak evidence: other mistakes
-/// may show in them beside another one, and accidents are likely.
+/// If fewer than one in this many mistakes shows in the pictures, they are weak evidence: other
+/// mistakes may show in them only together with another one, and accidental matches are likely.
 constexpr std::size_t kShareThatShows = 10;
 
-/// Pairs of other mistakes, even of mistakes that do not show singly, that explain pictures as well
-/// as these single ones, at most kMostAlternatives + 1; none if enough mistakes show in the
-/// pictures.
+/// Pairs of other mistakes that explain pictures as well as these single ones, even pairs of
+/// mistakes that do not show singly; at most kMostAlternatives + 1. Empty if enough mistakes show
+/// in the pictures.
 std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pictures& pictures) {
-  const std::vector<const Mistake*>& all = told_by_pictures();
+  const std::vector<const Mistake*>& all = shown_in_pictures();
   std::vector<Suspect> pairs;
   const std::size_t enough = all.size() / kShareThatShows;
   if (mistakes_that_show(pictures, enough).size() == enough) return pairs;
@@ -263,7 +265,7 @@ std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pi
       }
       if (const auto its = left(fault, pictures, singles.front().left)) {
         pairs.push_back({fault, *its});
-        keep_first_of_families(pairs);
+        keep_first_of_groups(pairs);
       }
       if (pairs.size() > kMostAlternatives) return pairs;
     }
@@ -274,7 +276,7 @@ std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pi
 /// The mistakes that make exactly these pictures, in which all wrong pixels are borderline.
 std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   std::vector<Suspect> suspects;
-  for (const Mistake* mistake : told_by_pictures()) {
+  for (const Mistake* mistake : shown_in_pictures()) {
     if (!mistake->conventions) continue;
     const bool makes_all = std::all_of(pictures.begin(), pictures.end(), [&](const Evidence& one) {
       const scene::Scene other = mistaken(*mistake, one.picture().scene);
@@ -299,7 +301,7 @@ Suspects find_suspects(const Pictures& pictures) {
   const std::vector<Suspect> singles = single_suspects(pictures, errors);
   const bool one_explains_all =
       !singles.empty() && singles.front().left <= most_left_of_all(pictures, errors);
-  // Where all pictures are black, only a full explanation is named.
+  // If all pictures are black, only a full explanation is named.
   const std::uint64_t shown = errors - errors_of_black;
   if (shown < kFewestWrongPixels && !one_explains_all) return {};
   if (!one_explains_all && shown >= kFewestWrongPixelsOfTwo) {

@@ -12,7 +12,7 @@ namespace {
 
 using scene::Scene;
 
-/// Whether some ray misses all spheres, and its line does not.
+/// Whether there is a ray that misses all spheres although its line meets one.
 bool has_ray_with_all_behind(const Scene& scene) {
   const auto rays = right_candidate().rays_from(scene.conventions.origin)(
       *scene.camera, scene.conventions, all_pixels(*scene.camera));
@@ -55,7 +55,7 @@ bool has_fractions(const Scene& s) {
 struct Shape {
   const char* where;
   bool (*is)(const Scene&);
-  bool is_part = false;  ///< Overridden by the last shape above that is not one.
+  bool is_part = false;  ///< A special case of the last shape above that is no part.
 };
 
 bool is_uneven_across(const Scene& s) { return s.camera->left != -s.camera->right; }
@@ -106,7 +106,7 @@ std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried) {
     if (!is_part) whole_tells = tells;
     if (!tells) continue;
     if (cause) return {};
-    cause = ShapeCause{"it fails only where " + std::string(where), is};
+    cause = ShapeCause{"it fails only if " + std::string(where), is};
   }
   return cause;
 }

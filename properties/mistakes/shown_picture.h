@@ -9,12 +9,12 @@ namespace raycheck::properties {
 /// The exact nearest sphere of each pixel. Domain: a scene with a camera.
 ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions);
 
-/// A renderer's picture of a scene with a camera, under the conventions in it: an answer for every
-/// pixel, which may be kSomeSphere.
+/// A renderer's picture of a scene with a camera, under the conventions of that scene: one answer
+/// for every pixel, which may be kSomeSphere.
 struct ShownPicture {
   scene::Scene scene;
   ImageAnswer image;
-  /// The picture has width and height exchanged; then there are no answers.
+  /// Whether the picture has width and height exchanged; then `image` is empty.
   bool sides_exchanged = false;
 };
 

@@ -1,6 +1,6 @@
 // Wrong comparisons with a number: with an epsilon that is too large instead of zero, or with a
-// largest s. Of a family the first that makes the same answers is named, which drops the fewest:
-// the actual number may be more extreme.
+// largest s. Of a group, the first that makes the same answers is named. It drops the fewest
+// answers: the actual number may be more extreme.
 
 #include <array>
 #include <cmath>
@@ -21,22 +21,23 @@ using scene::Ray;
 using scene::Sphere;
 using scene::Vector3;
 
-/// The sizes of a family, from the one that drops the fewest.
+/// The sizes of a group, beginning with the one that drops the fewest answers.
 constexpr std::array<const char*, 11> kSizes = {"1e-10", "1e-9",  "1e-8", "1e-7", "1e-6", "1e-5",
                                                 "1e-4",  "0.001", "0.01", "0.1",  "1"};
 constexpr std::array<const char*, 8> kLargeSizes = {"1e9", "1e8", "1e7",  "1e6",
                                                     "1e5", "1e4", "1000", "100"};
 
-/// A family of mistakes, with sentences before and after the size.
-struct ThresholdFamily {
+/// A group of mistakes, and its sentence before and after the size.
+struct ThresholdGroup {
   const char* before;
   const char* after;
-  std::string_view family;
+  std::string_view group;
   std::span<const char* const> sizes;
   Hit (*choose)(double size, const Ray&, const Roots&, const Conventions&);
   Roots (*roots)(double size, const Ray&, const Sphere&) = nullptr;
-  bool is_told_by_pictures = true;
-  bool of_steps = false;  ///< s is in multiples of P - E: directions are not normalised.
+  bool shows_in_pictures = true;
+  /// Whether s is in multiples of P - E, because directions are not normalised.
+  bool of_steps = false;
 };
 
 Hit up_to(double most, const Ray& ray, const Roots& roots, const Conventions& c) {
@@ -44,7 +45,7 @@ Hit up_to(double most, const Ray& ray, const Roots& roots, const Conventions& c)
   return hit && hit->parameter <= most ? hit : Hit();
 }
 
-/// d^2 = -1 where the line is less than `least` radii inside.
+/// Sets d^2 = -1 if the line is less than `least` radii inside the sphere.
 Roots roots_of_inner(double least, const Ray& ray, const Sphere& sphere) {
   Roots roots = fast::kCross.roots(ray, sphere);
   const double d_sq = roots.half_chord_sq, r = sphere.radius;
@@ -54,12 +55,13 @@ Roots roots_of_inner(double least, const Ray& ray, const Sphere& sphere) {
   return roots;
 }
 
-/// Both roots at a distance along the ray, where the sphere is met.
+/// A hit at this distance along the ray: both roots are there.
 Roots both_at(double distance, double size) {
   return {distance, 1, distance / size, distance / size};
 }
 
-/// Both roots where steps as long as the distance to the sphere come nearer to it than `least`.
+/// A hit by ray marching in steps as long as the distance to the sphere: both roots are where that
+/// distance is below `least`.
 Roots marched_roots(double least, const Ray& ray, const Sphere& sphere) {
   constexpr int kMostSteps = 200;
   const double size = norm(ray.direction);
@@ -74,7 +76,7 @@ Roots marched_roots(double least, const Ray& ray, const Sphere& sphere) {
   return {0, -1, 0, 0};
 }
 
-const ThresholdFamily kFamilies[] = {
+const ThresholdGroup kGroups[] = {
     {"hits with an s below about ", " (perhaps more) are dropped: the epsilon is too large",
      "dropped hits", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
@@ -101,8 +103,7 @@ const ThresholdFamily kFamilies[] = {
      " (perhaps less), in multiples of P - E, are dropped: the largest s that counts is too small",
      "far hits", kLargeSizes, up_to, nullptr, true, true},
     {"where d^2 is below about ",
-     " (perhaps more) both roots are taken to be v: the epsilon is too large", "merged roots",
-     kSizes,
+     " (perhaps more) v is taken for both roots: the epsilon is too large", "merged roots", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double v = roots.axial_distance;
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
@@ -110,7 +111,7 @@ const ThresholdFamily kFamilies[] = {
      },
      nullptr, false},
     {"where b^2 - 4ac is within about ",
-     " (perhaps more) of 0 both roots are taken to be -b/2a: the epsilon is too large",
+     " (perhaps more) of 0, -b/2a is taken for both roots: the epsilon is too large",
      "merged discriminants", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double size = norm(ray.direction);
@@ -118,12 +119,13 @@ const ThresholdFamily kFamilies[] = {
        return usual_choice(ray, is_merged ? both_at(roots.axial_distance, size) : roots, c);
      },
      nullptr, false},
-    {"spheres are marched to, and s stops where one is nearer than about ", "", "marched", kSizes,
+    {"hits are found by marching, which stops when a sphere is nearer than about ", "", "marched",
+     kSizes,
      [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
        return usual_choice(ray, roots, c);
      },
      marched_roots, false},
-    {"a d^2 below about ", " (perhaps more) is raised to that: the epsilon is too large",
+    {"a d^2 below about ", " (perhaps more) is replaced by that: the epsilon is too large",
      "least chords", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
@@ -131,9 +133,9 @@ const ThresholdFamily kFamilies[] = {
        return usual_choice(ray, {v, least, (v - d) / size, (v + d) / size}, c);
      },
      nullptr, false},
-    {"lines that are less than about ",
-     " radii (perhaps more) inside a sphere miss it: the tolerance is too large", "shallow chords",
-     kSizes,
+    {"rays that pass less than about ",
+     " radii (perhaps more) inside a sphere's outline miss it: the tolerance is too large",
+     "shallow chords", kSizes,
      [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
        return usual_choice(ray, roots, c);
      },
@@ -147,10 +149,10 @@ const ThresholdFamily kFamilies[] = {
      nullptr, false},
 };
 
-/// Shadow rays start there.
+/// Code that moves the point of a hit outside, where shadow rays start.
 Mistake point_outside(const char* distance) {
   return {.sentence = std::string("Q lies ") + distance +
-                      " outside of the sphere: it is moved along the normal",
+                      " outside the sphere: it is moved along the normal",
           .step = Step::kIntersect,
           .hit =
               [by = std::atof(distance)](const Ray&, const Sphere& sphere, HitAnswer hit) {
@@ -163,7 +165,8 @@ Mistake point_outside(const char* distance) {
           .is_offered = [](const Candidate& candidate) { return gives_point(candidate.interface.returns); }};
 }
 
-/// Axes and directions of which the vectors with a |v|^2 below `least` stay as they are, or are 0.
+/// Axes and directions from vectors that are not normalised, or become 0, if |v|^2 is below
+/// `least`.
 Mistake short_vectors(const char* least, bool are_zero) {
   const auto unit = [size = std::atof(least), are_zero](const Vector3& v) {
     const double length = norm(v);
@@ -184,8 +187,8 @@ Mistake short_vectors(const char* least, bool are_zero) {
                      return FrameAnswer{{U.x, U.y, U.z}, {V.x, V.y, V.z}, {W.x, W.y, W.z}};
                    },
                .direction = [=](const auto&, const auto&, const Vector3& g) { return unit(g); }},
-      .is_told_by_pictures = false,
-      .family = are_zero ? "vectors made 0" : "vectors left as they are"};
+      .shows_in_pictures = false,
+      .group = are_zero ? "vectors made 0" : "vectors left as they are"};
 }
 
 }  // namespace
@@ -196,15 +199,15 @@ std::vector<Mistake> threshold_mistakes() {
     for (const char* size : kSizes) all.push_back(short_vectors(size, are_zero));
   }
   for (const char* size : kSizes) all.push_back(point_outside(size));
-  for (const auto& [before, after, family, sizes, choose, roots, is_told, of_steps] : kFamilies) {
+  for (const auto& [before, after, group, sizes, choose, roots, shows, of_steps] : kGroups) {
     for (const char* size : sizes) {
       HitFormulas hits = {.choose = std::bind_front(choose, std::atof(size))};
       if (roots) hits.roots = std::bind_front(roots, std::atof(size));
       all.push_back({.sentence = std::string(before) + size + after,
                      .step = Step::kIntersect,
                      .hits = std::move(hits),
-                     .is_told_by_pictures = is_told,
-                     .family = family});
+                     .shows_in_pictures = shows,
+                     .group = group});
       if (!of_steps) continue;
       all.back().is_offered = never_of_functions;
       all.back().rays.direction = [](auto&, auto&, const scene::Vector3& g) { return g; };

@@ -8,8 +8,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// A convention that a candidate may follow whatever the scene says, another declaration of the
-/// valid roots, or another interface.
+/// A convention that a candidate may follow even if the scene says otherwise, another declaration of
+/// the valid roots, or another interface.
 struct Followed {
   std::string text;
   DeclaredConventions declared;
@@ -20,7 +20,7 @@ template <class Value>
 void add(std::string_view name, std::optional<Value> DeclaredConventions::*member,
          const DeclaredConventions& declared, std::vector<Followed>& all) {
   if (declared.*member) return;
-  // Not `either`, under which tangents are not judged.
+  // `either` is not tried, because under it tangents are not judged.
   for (const Value value : {Value{0}, Value{1}}) {
     Followed one{std::string(name) + " = " + std::string(scene::name(value)), {}};
     one.declared.*member = value;
@@ -113,11 +113,11 @@ bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& c
   for (const Case& given : cases) {
     const auto one = rounded_case(given, other_candidate.input_format()).the_case;
     if (!one || !is_problem(*one, other_candidate.declared)) continue;
-    Trials told(*one, candidate, {}), followed(*one, other_candidate, {});
+    Trials declared(*one, candidate, {}), followed(*one, other_candidate, {});
     const Verdict verdict = followed.apply(law);
     if (verdict.count(Standing::kDefect) > 0) return false;
-    if (!under.interface && !same_answers(told.of(law), followed.of(law))) return false;
-    // No other law may be broken: the hit class may be right where the root is wrong.
+    if (!under.interface && !same_answers(declared.of(law), followed.of(law))) return false;
+    // All other laws must hold, too: the hit class may be right although the root is wrong.
     for (const Law& other : laws()) {
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
     }

@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <compare>
-#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -25,7 +24,7 @@ int share_of_all(int all, std::size_t shares, std::size_t k) {
   return all / among + (static_cast<int>(k) < all % among ? 1 : 0);
 }
 
-/// The severities that a source stands for.
+/// The severities of a source up to a level, at most one for each case.
 std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level, int cases) {
   if (chosen.severity || !chosen.source->severities) return {chosen};
   std::vector<ChosenSource> severities;
@@ -36,7 +35,8 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
   return severities;
 }
 
-/// A source and severity (0 if it has none) on which a law is tried, and its index among all.
+/// A source and severity (0 if it has none) on which a law is tried, and the source's index among
+/// all.
 struct SeriesKey {
   std::size_t place;
   int severity;
@@ -49,11 +49,11 @@ struct SeriesCases {
 using CasesOfLaw = std::map<SeriesKey, SeriesCases>;
 
 /// Divides cases evenly among the sources of a level that suit a law, and a source's cases among
-/// its severities; a series never gets fewer than it has.
+/// its severities. A series never gets fewer cases than it has.
 void share_out(const Law& law, const CampaignOptions& options, Level level, CasesOfLaw& given) {
   std::vector<std::pair<std::size_t, ChosenSource>> sources;
   const auto add = [&](std::size_t place, const ChosenSource& chosen) {
-    if (speaks_of_cameras(law) && !chosen.source->has_camera) return;
+    if (is_about_cameras(law) && !chosen.source->has_camera) return;
     sources.emplace_back(place, chosen);
   };
   for (std::size_t k = 0; k < options.sources.size(); ++k) add(k, options.sources[k]);
@@ -73,7 +73,8 @@ void share_out(const Law& law, const CampaignOptions& options, Level level, Case
   }
 }
 
-/// The cases of every level up to the chosen one: no level is easier than the one before it.
+/// The cases of every level up to the chosen one, so that no level is easier than the one before
+/// it.
 CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
   CasesOfLaw given;
   for (int level = 0; level <= static_cast<int>(options.level); ++level) {
@@ -81,8 +82,6 @@ CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
   }
   return given;
 }
-
-constexpr std::size_t kNoUnit = std::numeric_limits<std::size_t>::max();
 
 void lower(std::atomic<std::size_t>& unit, std::size_t to) {
   std::size_t known = unit;
@@ -97,14 +96,14 @@ std::uint64_t stream_of(std::uint64_t seed, int before) {
   return before == 0 ? first : Random(first + static_cast<std::uint64_t>(before)).bits();
 }
 
-/// A case of a source: made once, rounded once for each format, with one truth for each set of
-/// conventions, and one set of answers of a candidate for all laws.
+/// A case of a source. It is made once and rounded once for each format; it has one truth for each
+/// set of conventions, and one set of answers of a candidate for all laws.
 class AskedCase {
  public:
   AskedCase(const ChosenSource& source, std::uint64_t seed)
       : seed_(seed), made_(source.make(seed)) {}
 
-  /// To be called for all searches of a candidate in succession: they share its trials.
+  /// To be called for all searches of a candidate in succession, because they share its trials.
   void judge(LawSearch& search, const Candidate& candidate, std::optional<double> max_error) {
     Rounded& rounded = in(candidate.input_format());
     if (&candidate != candidate_) {
@@ -197,16 +196,21 @@ Finding CampaignResult::finding() const {
 }
 
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most, std::size_t round) {
+  const auto has_wrong_answer = [](const CampaignPart& part) {
+    return part.is_broken() &&
+           std::any_of(part.breaks.front().defects.begin(), part.breaks.front().defects.end(),
+                       [](const DefectKind& kind) { return kind.wrong != Wrong::kFailed; });
+  };
   std::set<Level> levels;
   for (const CampaignPart& part : result.parts) {
-    if (part.is_broken()) levels.insert(part.source.level());
+    if (has_wrong_answer(part)) levels.insert(part.source.level());
   }
   if (round >= 2 * levels.size()) return {};
   const Level level = *std::next(levels.begin(), static_cast<std::ptrdiff_t>(round / 2));
   if (round % 2 == 1) most *= 4;
   std::vector<std::pair<ChosenSource, std::uint64_t>> broken;
   for (const CampaignPart& part : result.parts) {
-    if (!part.is_broken() || part.source.level() != level) continue;
+    if (!has_wrong_answer(part) || part.source.level() != level) continue;
     broken.emplace_back(part.source, parse_replay(part.breaks.front().replay).seed);
   }
   std::vector<Case> cases;
@@ -233,35 +237,23 @@ std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& opti
 }
 
 Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept)
-    : asked_(std::move(of_candidates)),
-      units_are_kept_(units_are_kept),
-      has_answered_(asked_.size()),
-      units_failed_(asked_.size()),
-      answers_nothing_(asked_.size()),
-      units_timed_out_(asked_.size()),
-      timed_out_(asked_.size()) {
-  std::map<SeriesKey, std::pair<ChosenSource, std::vector<Tried>>> all;
-  for (std::size_t candidate = 0; candidate < asked_.size(); ++candidate) {
-    const auto& [laws, options] = asked_[candidate];
-    results_.emplace_back(laws.size());
+    : candidates_(of_candidates.size()), units_are_kept_(units_are_kept) {
+  std::map<SeriesKey, Series> all;
+  for (std::size_t candidate = 0; candidate < candidates_.size(); ++candidate) {
+    auto& [laws, options] = candidates_[candidate].asked = std::move(of_candidates[candidate]);
     for (std::size_t law = 0; law < laws.size(); ++law) {
-      CampaignResult& result = results_.back()[law];
+      CampaignResult& result = candidates_[candidate].results.emplace_back();
       result.level = options.level;
       const CasesOfLaw series = cases_of(*laws[law], options);
-      if (series.empty()) result.counts.reason = "no source of cases has a camera";
+      if (series.empty())
+        result.counts.reason = "the law needs cameras, and no source that was chosen has one";
       for (const auto& [key, its] : series) {
-        auto& [chosen, tried] = all[key];
-        chosen = its.source;
-        tried.push_back({candidate, law, its.cases});
+        all[key].source = its.source;
+        all[key].tried.emplace_back(candidate, law, its.cases);
       }
     }
   }
-  for (auto& [key, one] : all) {
-    auto& [source, tried] = one;
-    std::vector<std::atomic<std::size_t>> broken_in(tried.size());
-    for (auto& unit : broken_in) unit = kNoUnit;
-    series_.push_back({source, std::move(tried), 0, std::move(broken_in)});
-  }
+  for (auto& [key, series] : all) series_.push_back(std::move(series));
   std::int64_t pieces = 0;
   for (const Series& series : series_) pieces += (series.most() - 1) / kUnitCases + 1;
   unit_cases_ = static_cast<int>(kUnitCases * pieces_of_unit(pieces));
@@ -271,38 +263,29 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_
   }
 }
 
-int Campaigns::Series::most() const {
-  int most = 0;
-  for (const Tried& law : tried) most = std::max(most, law.cases);
-  return most;
-}
-
 Campaigns::Unit Campaigns::unit(std::size_t number) const {
-  const auto after = std::upper_bound(
-      series_.begin(), series_.end(), number,
-      [](std::size_t its, const Series& series) { return its < series.first_unit; });
-  Series& series = *std::prev(after);
+  const auto after = std::ranges::upper_bound(series_, number, {}, &Series::first_unit);
+  const Series& series = *std::prev(after);
   return {series, static_cast<int>(number - series.first_unit)};
 }
 
 std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Candidate> candidates,
                                          const RunControl& control) const {
-  const Unit unit_asked = unit(number);
-  Series& series = unit_asked.series;
-  const int in_series = unit_asked.number;
+  const Unit here = unit(number);
+  const Series& series = here.series;
   std::vector<LawSearch> searches;
-  for (const auto& [candidate, law, cases] : series.tried) {
-    const auto& [laws, options] = asked_[candidate];
-    searches.emplace_back(*laws[law], candidates[candidate], options, series.source);
+  for (const Tried& tried : series.tried) {
+    const auto& [laws, options] = candidates_[tried.candidate].asked;
+    searches.emplace_back(*laws[tried.law], candidates[tried.candidate], options, series.source);
   }
   const auto is_over = [&](std::size_t k) {
-    const std::size_t candidate = series.tried[k].candidate;
-    if (!units_are_kept_ && (answers_nothing_[candidate] || timed_out_[candidate])) return true;
-    if (asked_[candidate].options.keep_going > 1) return false;
-    return searches[k].part.is_broken() || (!units_are_kept_ && series.broken_in[k] < number);
+    const OfCandidate& its = candidates_[series.tried[k].candidate];
+    if (!units_are_kept_ && its.is_dropped) return true;
+    if (its.asked.options.keep_going > 1) return false;
+    return searches[k].part.is_broken() || (!units_are_kept_ && series.tried[k].broken_in < number);
   };
-  const std::uint64_t seed = asked_.front().options.seed ^ series.source.hash();
-  const int first = in_series * unit_cases_;
+  const std::uint64_t seed = candidates_.front().asked.options.seed ^ series.source.hash();
+  const int first = here.number * unit_cases_;
   for (const Candidate& candidate : candidates) candidate.begin_anew();
   rc::Random random;
   try {
@@ -316,17 +299,17 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
         if (at >= tried.cases || is_over(law)) continue;
         if (!asked) asked.emplace(series.source, one.split().next());
         asked->judge(searches[law], candidates[tried.candidate],
-                     asked_[tried.candidate].options.max_error);
+                     candidates_[tried.candidate].asked.options.max_error);
       }
     }
   } catch (const scene::Interrupted&) {
-    // The cases judged before that count.
+    // The cases judged before the interrupt count.
   }
   std::vector<CampaignPart> parts;
   for (std::size_t k = 0; k < searches.size(); ++k) {
     CampaignPart& part = searches[k].part;
-    if (part.is_broken()) lower(series.broken_in[k], number);
-    part.close(asked_[series.tried[k].candidate].options.strict);
+    if (part.is_broken()) lower(series.tried[k].broken_in, number);
+    part.close(candidates_[series.tried[k].candidate].asked.options.strict);
     parts.push_back(std::move(part));
   }
   return parts;
@@ -334,23 +317,23 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
 
 void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
   const auto [series, in_series] = unit(number);
-  std::vector<bool> fails(asked_.size()), answers(asked_.size()), silent(asked_.size());
+  struct InUnit {
+    bool fails = false, answers = false, timed_out = false;
+  };
+  std::vector<InUnit> seen(candidates_.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto& [candidate, law, cases] = series.tried[k];
-    CampaignResult& result = results_[candidate][law];
-    const bool is_asked = !answers_nothing_[candidate] && !timed_out_[candidate];
-    if (!is_asked || parts[k].counts.cases == 0) continue;
+    const Tried& tried = series.tried[k];
+    OfCandidate& its = candidates_[tried.candidate];
+    if (its.is_dropped || parts[k].counts.cases == 0) continue;
+    CampaignResult& result = its.results[tried.law];
     const bool goes_on =
         in_series > 0 && !result.parts.empty() && result.parts.back().source == series.source;
-    const bool is_over = goes_on && result.parts.back().is_broken();
-    if (is_over && asked_[candidate].options.keep_going <= 1) continue;
+    if (goes_on && result.parts.back().is_broken() && its.asked.options.keep_going <= 1) continue;
     // Only of parts that count: which others were tried depends on threads.
-    if (parts[k].timed_out) silent[candidate] = true;
-    if (parts[k].failed_at_once) {
-      fails[candidate] = true;
-    } else if (parts[k].verdict.compared() > 0) {
-      answers[candidate] = true;
-    }
+    auto& [fails, answers, timed_out] = seen[tried.candidate];
+    timed_out |= parts[k].timed_out;
+    fails |= parts[k].failed_at_once;
+    answers |= !parts[k].failed_at_once && parts[k].verdict.compared() > 0;
     result.counts.add(parts[k].counts);
     result.verdict.merge(parts[k].verdict);
     parts[k].verdict.keep_counts();
@@ -362,34 +345,37 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
     result.parts.push_back(std::move(parts[k]));
     result.parts.back().source = series.source;
   }
-  for (std::size_t k = 0; k < asked_.size(); ++k) {
-    if (answers[k]) has_answered_[k] = true;
-    if (fails[k] && !has_answered_[k] && ++units_failed_[k] == kUnitsToFail) {
-      answers_nothing_[k] = true;
-    }
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    OfCandidate& its = candidates_[k];
+    its.has_answered |= seen[k].answers;
+    its.units_failed += seen[k].fails && !its.has_answered;
+    its.units_timed_out += seen[k].timed_out;
     // Each request without a reply takes the whole time limit.
-    if (silent[k] && (!has_answered_[k] || ++units_timed_out_[k] == kUnitsToFail)) {
-      timed_out_[k] = true;
-    }
+    const std::size_t most_timed_out = its.has_answered ? kUnitsToFail : 1;
+    its.is_dropped = its.answers_nothing() || its.units_timed_out >= most_timed_out;
   }
 }
 
 CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
                                    const Candidate& candidate) {
-  const CampaignOptions& options = asked_[number].options;
-  const Law& asked = *asked_[number].laws[law];
-  CampaignResult result = std::move(results_[number][law]);
+  OfCandidate& its = candidates_[number];
+  const CampaignOptions& options = its.asked.options;
+  const Law& asked = *its.asked.laws[law];
+  CampaignResult result = std::move(its.results[law]);
   const auto& declared = candidate.declared.valid;
   result.wants_hits = declared && !declared->is_usual();
   const auto shrunk = [&](const CampaignPart& part, const Break& broken) {
     const std::uint64_t seed = parse_replay(broken.replay).seed;
     LawSearch search(asked, candidate, options, part.source);
-    search.replay(seed, !answers_nothing_[number]);
+    search.replay(seed, !its.answers_nothing());
     if (search.failure) {
-      search.ask_first();
+      search.judge_restarted();
       return *std::move(search.failure);
     }
-    return Failure{part.source.make(seed), part.verdict, broken.replay};  // interrupted
+    return Failure{.shrunk = part.source.make(seed),
+                   .verdict = part.verdict,
+                   .replay = broken.replay,
+                   .is_shrunk = false};  // interrupted
   };
   std::vector<const CampaignPart*> broken;
   for (const CampaignPart& part : result.parts) {
@@ -471,9 +457,7 @@ CampaignResult result_of(LawSearch& search) {
 
 CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
                         std::optional<double> max_error, bool strict) {
-  CampaignOptions options;
-  options.max_error = max_error;
-  options.strict = strict;
+  const CampaignOptions options{.max_error = max_error, .strict = strict};
   LawSearch search(law, candidate, options, {});
   search.replay(the_case);
   CampaignResult result = result_of(search);
@@ -484,9 +468,7 @@ CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& 
 
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error, bool strict) {
-  CampaignOptions options;
-  options.max_error = max_error;
-  options.strict = strict;
+  const CampaignOptions options{.max_error = max_error, .strict = strict};
   LawSearch search(*replay.law, candidate, options, replay.source);
   search.replay(replay.seed);
   CampaignResult result = result_of(search);

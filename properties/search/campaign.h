@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <deque>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,142 +20,141 @@
 
 namespace raycheck::properties {
 
-/// Cases for each law and candidate: with 300, its laws catch every mutant, and also correct code
-/// perturbed by 2^-46 in s, Q or D, by an epsilon of 1e-12, or in a band of 2^-20 at tangency.
+/// The default number of cases for each law and candidate. 300 cases are enough for the laws to
+/// catch every mutant, and correct code perturbed by 2^-46 in s, Q or D, by an epsilon of 1e-12, or
+/// within 2^-20 radii of tangency; 500 leave a margin.
 inline constexpr int kCampaignCases = 500;
 
 struct CampaignOptions {
-  /// Divided evenly among the sources of each level up to `level`, and within a source among its
-  /// severities; a severity gets the largest number that one of these levels gives it. Every source
-  /// has at least one case, at its highest severity. So a level includes all cases of lower ones.
+  /// For each level up to `level`, this number is divided evenly among the sources of that level,
+  /// and within a source among its severities. A severity gets the largest of the numbers from
+  /// these levels, so a level includes all cases of lower levels. Every source has at least one
+  /// case, at its highest severity.
   int cases = kCampaignCases;
   std::uint64_t seed = 1;
   std::optional<double> max_error;
-  bool strict = false;  ///< Excused or undecided answers break a law, too.
+  bool strict = false;  ///< Whether excused or undecided answers break a law, too.
   /// Severities up to this level are tried.
   Level level = Level::kDemanding;
-  /// The sources of the cases; empty: every source of the level that suits the law. A source
+  /// The sources of the cases; if empty, every source of the level that suits the law. A source
   /// without a severity stands for all its severities of the level.
-  std::vector<ChosenSource> sources;
+  std::vector<ChosenSource> sources = {};
   /// The number of distinct failures to shrink: above one, a law's cases go on after a break.
   std::size_t keep_going = 1;
 };
 
 /// Counts of cases by their treatment.
 struct CaseCounts {
-  std::int64_t cases = 0;       ///< Tried, before an end or a break.
-  std::int64_t left_out = 0;    ///< Of those, the ones to which the law does not apply, or which
-                                ///< the candidate's format cannot hold,
-  std::int64_t not_judged = 0;  ///< and those outside the candidate's stated domain.
-  std::int64_t given_rays = 0;  ///< Those judged on raycheck's rays (given_rays()).
-  std::string reason;           ///< Why the last of those left out was.
+  std::int64_t cases = 0;  ///< The number of cases tried, until the end or the first break.
+  /// Cases to which the law does not apply, or which the candidate's format cannot hold.
+  std::int64_t left_out = 0;
+  std::int64_t not_judged = 0;  ///< Cases outside the candidate's stated domain.
+  std::int64_t given_rays = 0;  ///< Cases judged on raycheck's rays (given_rays()).
+  std::string reason;           ///< Why the last case that was left out was left out.
 
   void add(const CaseCounts& other);
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(cases, left_out, not_judged, given_rays, reason);
-  }
+  void serialize(auto& archive) { archive(cases, left_out, not_judged, given_rays, reason); }
 };
 
 /// A case that breaks a law.
 struct Break {
-  /// Reproduces it: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be SOURCE@SEVERITY.
+  /// The replay string, "LAW:CANDIDATE:SOURCE:SEED"; SOURCE may be SOURCE@SEVERITY.
   std::string replay;
   std::vector<DefectKind> defects;
   std::optional<CodeLine> failed_at = {};  ///< Where the candidate died or threw.
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(replay, defects, failed_at);
-  }
+  void serialize(auto& archive) { archive(replay, defects, failed_at); }
 };
 
-/// A law's verdict on the cases of one source, at one severity if it has any. Ends at the first
-/// case that breaks the law, unless CampaignOptions says to go on.
+/// A law's verdict on the cases of one source and, if the source has severities, of one severity.
+/// It ends at the first case that breaks the law, unless CampaignOptions::keep_going is above one.
 struct CampaignPart {
   ChosenSource source;
   CaseCounts counts;
-  Verdict verdict;  ///< Counts only: there are thousands of parts.
+  Verdict verdict;  ///< Only counts, since there are thousands of parts.
   /// The first case that breaks the law, and later ones that show other kinds of defects.
   std::vector<Break> breaks;
-  std::vector<DefectKind> undecided;            ///< The undecided kinds of all its cases,
-  std::optional<std::uint64_t> undecided_seed;  ///< and the first such case.
+  std::vector<DefectKind> undecided;            ///< The undecided kinds of all its cases.
+  std::optional<std::uint64_t> undecided_seed;  ///< The seed of the first undecided case.
 
-  bool failed_at_once = false;  ///< The candidate failed before it answered anything.
-  bool timed_out = false;       ///< A case broke the law because the candidate timed out.
+  bool failed_at_once = false;  ///< Whether the candidate failed before it answered anything.
+  bool timed_out = false;       ///< Whether a case broke the law because the candidate timed out.
 
   bool is_broken() const { return !breaks.empty(); }
-  /// Whether a break shows a kind of defect that the known ones do not.
+  /// Whether one of these kinds of defects is not among those of the known breaks.
   bool is_new(const std::vector<DefectKind>& defects) const;
   /// Adds later cases of the same source and severity.
   void merge(CampaignPart later);
   /// Called after the last case: stores the undecided kinds.
   void close(bool strict);
   /// Does not contain the source.
-  template <class Archive>
-  void serialize(Archive& archive) {
+  void serialize(auto& archive) {
     archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once, timed_out);
   }
 };
 
-/// A case that breaks a law, or leaves it undecided, shrunk as far as it still does.
+/// A case that breaks a law, or leaves it undecided, shrunk as long as it does so.
 struct Failure {
   Case shrunk;
   Verdict verdict;
   std::string replay;
   bool is_undecided = false;
-  /// A candidate that is started anew, and asked about the shrunk case first, is right: its answers
-  /// depend on earlier questions.
+  /// Whether the candidate is right on the shrunk case after a restart: it keeps state between
+  /// questions.
   bool is_of_earlier = false;
-  /// The tries after which shrinking was given up; 0: it was completed.
+  /// The number of tries after which shrinking was given up; 0 if it was completed.
   std::int64_t tries = 0;
+  /// False: the case as it was found, since the candidate fails on every question or depends on
+  /// earlier ones, or since the search was interrupted.
+  bool is_shrunk = true;
 };
 
-/// A law holds only if at least this many answers to each kind of question (hits, for example)
-/// were right without an excuse: ten expose code that is right at random, half of the time, with a
-/// probability of 999 in 1000.
+/// A law holds only if at least this many answers to each kind of question (hits, for example) were
+/// right without an excuse. Ten questions expose code that is right half of the time, at random,
+/// with a probability of 999 in 1000.
 inline constexpr std::uint64_t kFewestRight = 10;
 
 /// The outcome of a law for a candidate.
 enum class Finding { kHolds, kBroken, kUndecided, kTooFewJudged, kNotJudged, kLeftOut };
 inline constexpr std::array<std::string_view, 6> kFindingNames = {
     "holds", "broken", "undecided", "too few judged", "not judged here", "left out"};
-constexpr std::string_view name(Finding finding) {
-  return kFindingNames[static_cast<std::size_t>(finding)];
-}
+constexpr auto& names_of(Finding /*of*/) { return kFindingNames; }
 
 struct CampaignResult {
   Level level = Level::kDemanding;
   std::vector<CampaignPart> parts;  ///< In the order of sources and severities.
-  CaseCounts counts;                ///< Of all parts together, without shrinking,
-  Verdict verdict;                  ///< likewise.
-  /// Of the first broken part of the lowest level; if no part is broken, of the first one with an
-  /// undecided case.
+  CaseCounts counts;                ///< Of all parts together, without shrinking.
+  Verdict verdict;                  ///< Of all parts together, without shrinking.
+  /// The failure of the first broken part of the lowest level; if no part is broken, of the first
+  /// part with an undecided case.
   std::optional<Failure> failure;
-  /// If more than one failure is to be shrunk, further ones, each of another source or kind.
+  /// Further failures, each of another source or kind, if keep_going is above one.
   std::vector<Failure> others = {};
 
-  std::uint64_t fewest_right = kFewestRight;  ///< 0 for a replay: its one case is enough.
-  /// A candidate that declares which roots count may exclude all: hits must be among the questions.
+  std::uint64_t fewest_right = kFewestRight;  ///< 0 for a replay, whose one case is enough.
+  /// Whether hits must be among the questions, because the candidate declares which roots count,
+  /// and may exclude all.
   bool wants_hits = false;
 
   Finding finding() const;
-  /// The first kind of question with fewer right answers than needed.
+  /// The first kind of question with too few right answers; empty if there is none.
   std::optional<std::pair<Quantity, Expected>> too_few_right() const {
     return verdict.too_few_right(fewest_right, wants_hits);
   }
 };
 
-/// At most twice `most` cases from which the cause of a broken law may be found: at the lowest
-/// level at which it is broken, the first that broke it at each source and severity, then more from
-/// the same, right or wrong; then, unless all break it, as many from all sources, to rule out
-/// causes that would break those. The next round has four times as many; later rounds do the same
-/// at the next level at which the law is broken, and so on. Empty after the last.
+/// Cases from which the cause of a broken law may be found. Round 0 has `most` cases at the lowest
+/// level at which the law is broken: the first case that broke it at each source and severity, and
+/// further cases of these, right or wrong. Unless all sources break the law, `most` cases of all
+/// sources follow, to rule out causes that would break these. Round 1 has four times as many cases
+/// of each kind. Rounds 2 and 3 do the same at the next level at which the law is broken, and so
+/// on. Empty after the last round.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most,
                                 std::size_t round = 0);
 
-/// The cases of a unit of work: few enough for threads to end together,
+/// The number of cases in a unit of a small campaign: so few that threads end together.
 inline constexpr int kUnitCases = 64;
-/// times a power of two in a large campaign, so that there are at most about this many units.
+/// In a large campaign, units have kUnitCases times a power of two cases, so that there are at most
+/// about this many units.
 inline constexpr std::int64_t kMostUnits = 1 << 14;
 constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   std::int64_t pieces = 1;
@@ -160,83 +162,89 @@ constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   return pieces;
 }
 
-/// A candidate is dropped after this number of units without a success, after as many in which it
-/// times out, or if it times out in the first.
+/// A candidate is dropped after this number of units without an answer, after this number of units
+/// in which it times out, or if it times out before it has answered anything.
 inline constexpr std::size_t kUnitsToFail = 3;
 
-/// The laws that a candidate is tested by, and how.
+/// The laws by which a candidate is tested, and the options.
 struct LawsOfCandidate {
   std::vector<const Law*> laws;
-  CampaignOptions options;  ///< With one seed and the same sources for all candidates.
+  CampaignOptions options;  ///< The seed and the sources must be the same for all candidates.
 };
 
-/// The sources that a law is tried on, each at its severities.
+/// The sources on which a law is tried, each at its severities.
 std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& options);
 
-/// The campaigns of several candidates and laws as one pass: a case is made once, its truth worked
-/// out once, and each candidate asked once, for all laws that are tried on it. The work falls into
-/// units, some cases of one source at one severity, which are independent: any thread,
-/// process or machine may run any of them.
-/// Domain: at least one candidate; `candidates` are those of the constructor, in its order.
+/// Runs the campaigns of several candidates and laws in one pass: for all laws that are tried on a
+/// case, the case is made once, its truth is computed once, and each candidate is asked once. The
+/// work is divided into units. A unit is some cases of one source at one severity. Units are
+/// independent: any thread, process or machine may run any of them.
+/// Domain: at least one candidate; `candidates[k]` is the candidate of `of_candidates[k]`.
 class Campaigns {
  public:
-  /// `units_are_kept`: a unit's result depends only on the unit; otherwise laws that an earlier
-  /// unit broke are left out of it.
+  /// `units_are_kept`: whether units are stored, so that a unit's result must depend only on the
+  /// unit. If not, a unit leaves out laws that an earlier unit broke.
   explicit Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept = false);
 
   std::size_t unit_count() const { return unit_count_; }
-  /// The results of the cases of a unit, for each law of each candidate that they are tried on; an
-  /// interrupt ends them early. Discrepancies are counted, and not kept.
+  /// The results of a unit's cases, for each law of each candidate that is tried on them. An
+  /// interrupt ends a unit early. Discrepancies are only counted.
   std::vector<CampaignPart> run(std::size_t unit, std::span<const Candidate> candidates,
                                 const RunControl& control) const;
   /// Adds the results of run(), in the order of units.
   void take(std::size_t unit, std::vector<CampaignPart> parts);
-  /// The result of all units for a law of a candidate, with its failure shrunk. Call it once each.
+  /// The result of all units for a law of a candidate, with its failure shrunk. To be called once
+  /// for each.
   CampaignResult finished(std::size_t candidate, std::size_t law, const Candidate& judged);
 
  private:
-  /// The number of cases in a series for a law of a candidate, both by index.
+  /// A law of a candidate, both by index, on the cases of a series.
   struct Tried {
+    Tried(std::size_t of_candidate, std::size_t its_law, int in_series)
+        : candidate(of_candidate), law(its_law), cases(in_series) {}
     std::size_t candidate, law;
     int cases;
+    /// The first unit in which the law is broken: later ones do not count.
+    mutable std::atomic<std::size_t> broken_in = std::numeric_limits<std::size_t>::max();
   };
   /// A source at a severity.
   struct Series {
     ChosenSource source;
-    std::vector<Tried> tried;  ///< Candidate after candidate.
-    std::size_t first_unit;
-    /// The first unit in which each of these is broken: later ones do not count.
-    std::vector<std::atomic<std::size_t>> broken_in;
-    int most() const;  ///< The largest number of cases of a law.
+    std::deque<Tried> tried;  ///< Candidate after candidate.
+    std::size_t first_unit = 0;
+    /// The largest number of cases of a law.
+    int most() const { return std::ranges::max_element(tried, {}, &Tried::cases)->cases; }
   };
   struct Unit {
-    Series& series;
+    const Series& series;
     int number;  ///< In the series.
+  };
+  /// A candidate's campaigns, and whether it is asked any more.
+  struct OfCandidate {
+    LawsOfCandidate asked;
+    std::vector<CampaignResult> results;  ///< By law.
+    bool has_answered = false;
+    std::size_t units_failed = 0;  ///< In which it only failed, before it answered anything.
+    std::size_t units_timed_out = 0;
+    std::atomic<bool> is_dropped = false;  ///< As kUnitsToFail says.
+    bool answers_nothing() const { return units_failed == kUnitsToFail; }
   };
   Unit unit(std::size_t number) const;
 
-  std::vector<LawsOfCandidate> asked_;
-  mutable std::vector<Series> series_;  ///< In the order of sources and severities.
+  std::vector<OfCandidate> candidates_;
+  std::deque<Series> series_;  ///< In the order of sources and severities.
   std::size_t unit_count_ = 0;
   int unit_cases_ = kUnitCases;
   bool units_are_kept_;
-  /// By candidate: the number of units in which it only failed before it answered anything; after
-  /// kUnitsToFail it is dropped.
-  std::vector<bool> has_answered_;
-  std::vector<std::size_t> units_failed_;
-  std::vector<std::atomic<bool>> answers_nothing_;
-  std::vector<std::size_t> units_timed_out_;
-  std::vector<std::atomic<bool>> timed_out_;          ///< Dropped because of time-outs.
-  std::vector<std::vector<CampaignResult>> results_;  ///< By candidate and law.
 };
 
 /// Runs a law on random cases (by RapidCheck's streams) of every source and severity, each with its
-/// own seed: a broken part does not end the others. The same options give the same result, and
-/// other parts affect only the number of cases of a part.
+/// own seed: a broken part does not end the others. The same options give the same result. Another
+/// source changes only the number of cases that each source gets.
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options, const RunControl& control = {});
 
-/// Whether a case and a candidate meet a law's needs, if necessary with raycheck's rays.
+/// Whether a case and a candidate meet a law's needs; if necessary, with raycheck's rays.
 bool has_question(const Law& law, const Candidate& candidate, const Case& the_case);
 
 /// The parts of a replay string; throws std::invalid_argument naming the part that is wrong.

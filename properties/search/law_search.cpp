@@ -17,11 +17,11 @@ struct CaseVerdict {
   Verdict verdict;
 };
 
-/// `trials`: null where the case is not valid under the candidate's conventions.
+/// `trials` is null if the case is not valid under the candidate's conventions.
 CaseVerdict verdict_on(const Law& law, Trials* trials) {
   if (trials == nullptr) return {false, false, Verdict(law.name)};
   Trial& trial = trials->of(law);
-  // Missing functions of a candidate are reason enough, also outside its domain.
+  // If the candidate lacks functions, that is the reason, even outside its domain.
   const bool judged = trial.is_judged(law.quantity) || !what_is_missing(law.needs, trial).empty();
   return {judged, &trial != &trials->on_case(), judged ? trials->apply(law) : Verdict(law.name)};
 }
@@ -72,10 +72,11 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
     judge(seed);
     if (shrinks) shrink();
   });
+  if (failure) failure->is_shrunk = shrinks && !fails_always(failure->verdict);
 }
 
-void LawSearch::ask_first() {
-  // Not for time-outs, nor for candidates that fail on every question.
+void LawSearch::judge_restarted() {
+  // Time-outs, and candidates that fail on every question, are not judged again.
   const auto worst = failure->verdict.worst(1);
   const bool timed_out = !worst.empty() && worst.front().failed.timed_out;
   if (!candidate_->restart || timed_out || fails_always(failure->verdict)) return;
@@ -90,6 +91,7 @@ void LawSearch::ask_first() {
     failure->is_of_earlier = true;
     if (!whole_ || is_right(*whole_, verdict)) return;
     failure->shrunk = *whole_;
+    failure->is_shrunk = false;
     failure->verdict = std::move(verdict);
   });
 }
@@ -118,6 +120,7 @@ void LawSearch::replay(Case the_case) {
     }
     shrink();
   });
+  if (failure) failure->is_shrunk = !fails_always(failure->verdict);
 }
 
 template <class Work>
@@ -125,7 +128,7 @@ void LawSearch::until_interrupted(const Work& work) {
   try {
     work();
   } catch (const scene::Interrupted&) {
-    // The cases judged before that count.
+    // The cases judged before the interrupt count.
   }
   if (!strict_) part.undecided = part.verdict.undecided();
 }

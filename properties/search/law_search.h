@@ -10,7 +10,7 @@
 
 namespace raycheck::properties {
 
-/// A law judged on a candidate, case after case of a source, until one breaks it.
+/// Judges a candidate by a law on one case of a source after another, until a case breaks the law.
 class LawSearch {
  public:
   /// Law and candidate must outlive it.
@@ -23,15 +23,16 @@ class LawSearch {
   CampaignPart part;
   std::optional<Failure> failure;
 
-  /// Judges the source's case of a seed, as rounded for the candidate; `trials` on it are null
-  /// where it is not valid under the candidate's conventions.
+  /// Judges the source's case of a seed, as rounded for the candidate. `trials` is null if the case
+  /// is not valid under the candidate's conventions.
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
-  /// Judges one case of the source, and shrinks it unless told not to.
+  /// Judges one case of the source, and shrinks the failure if `shrinks`.
   void replay(std::uint64_t seed, bool shrinks = true);
-  /// Whether the candidate also fails if it is started anew and asked about the failure's case
-  /// first. If it fails so only on the case before shrinking, that case replaces the failure.
-  void ask_first();
-  /// Shrinks an undecided case of the source as long as it stays undecided.
+  /// Restarts the candidate and judges the failure's case again, as the first question. If the
+  /// candidate is then right, the failure depends on earlier questions. If it is still wrong on the
+  /// case before shrinking, that case replaces the shrunk one.
+  void judge_restarted();
+  /// Judges an undecided case of the source, and shrinks it as long as it stays undecided.
   void replay_undecided(std::uint64_t seed);
   /// Judges a case, and shrinks it.
   void replay(Case the_case);
@@ -42,20 +43,20 @@ class LawSearch {
   void judge(std::uint64_t seed);
   std::string replay_of(std::uint64_t seed) const;
   void leave_out(const std::string& reason);
-  /// Whether a case breaks the law; counts those before the first that does.
+  /// Whether a case breaks the law; counts the cases up to the first that does.
   bool breaks(const Case& the_case);
-  /// The same, of a verdict.
+  /// Whether this verdict on a case breaks the law; counts it like breaks().
   bool take(const Case& the_case, bool judged, bool given, Verdict verdict);
   void count(bool judged, bool given, const Verdict& verdict);
-  /// Replaces the case that breaks the law by the first simpler one that does so, as often as it
-  /// can.
+  /// Replaces the failure's case by the first simpler case that breaks the law, as long as there is
+  /// one.
   void shrink();
-  /// `breaks` keeps a case for which it is true as the failure. A candidate that makes no rays
-  /// needs no camera: the rays that it was given take its place.
+  /// Shrinks while `breaks` is true; it stores each such case as the failure. If the candidate
+  /// makes no rays, the rays that it was given replace the camera.
   template <class Breaks>
   void shrink_while(const Breaks& breaks);
-  /// If the candidate fails on the case, the question in it that fails: found by halving,
-  /// since each simpler case could run into the time limit for a reply.
+  /// If the candidate fails on the case, reduces it to the question that fails. The question is
+  /// found by halving, because each simpler case could run into the time limit for a reply.
   void take_failed_question();
 
   const Law* law_;

@@ -18,7 +18,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// The index of a number among those of a format; 0 has the index 0.
+/// The index of a number among the numbers of a format; 0 has the index 0.
 using Rank = std::int64_t;
 
 Rank rank_of(scene::Precision precision, double x) {
@@ -95,9 +95,9 @@ class RangeSearch {
         found_.numbers.push_back(range(name, *number));
       }
     } catch (const Spent&) {
-      // The numbers before this one have their ranges.
+      // The numbers before this one keep their ranges.
     } catch (const scene::Interrupted&) {
-      // Likewise.
+      // Here, too, the numbers before this one keep their ranges.
     }
     found_.not_tried = numbers.size() - found_.numbers.size();
     return std::move(found_);
@@ -106,8 +106,8 @@ class RangeSearch {
  private:
   double number(Rank at) const { return number_at(candidate_.precision, at); }
 
-  /// Whether the case breaks the law as it did; nullopt where the law does not apply or is not
-  /// judged.
+  /// Whether the case breaks the law in the same way as at first; nullopt if the law does not apply
+  /// or is not judged.
   std::optional<bool> breaks() {
     if (!scene::defects(case_.scene).empty() || !is_problem(case_, candidate_.declared) ||
         !is_of_format(case_.scene, candidate_.input_format())) {
@@ -127,7 +127,7 @@ class RangeSearch {
     return known->second;
   }
 
-  /// The last that breaks the law on the way from one that does to one that does not.
+  /// The last number that breaks the law between one that breaks it and one that does not.
   Rank bisected(Rank does, Rank does_not) {
     while (std::max(does, does_not) - 1 > std::min(does, does_not)) {
       const Rank middle = std::midpoint(does, does_not);
@@ -138,7 +138,7 @@ class RangeSearch {
     return does;
   }
 
-  /// Those strictly between two, without repetition, the nearest to the first first.
+  /// The ranks strictly between two, without repetition, in order from `from` to `to`.
   static std::vector<Rank> between(Rank from, Rank to, std::vector<Rank> ranks) {
     std::erase_if(ranks,
                   [&](Rank at) { return at <= std::min(from, to) || at >= std::max(from, to); });
@@ -148,7 +148,7 @@ class RangeSearch {
     return ranks;
   }
 
-  /// From a number to one end of the format: steps that double, and 0.
+  /// Ranks from a number to one end of the format, at doubling distances, and 0.
   static std::vector<Rank> steps(Rank from, Rank last) {
     std::vector<Rank> ranks = {0};
     const std::uint64_t room = static_cast<std::uint64_t>(std::max(from, last)) -
@@ -164,7 +164,7 @@ class RangeSearch {
   std::vector<Rank> some_between(Rank from, Rank to) const {
     constexpr int kParts = kPointsBetween / 2 + 1;
     std::vector<Rank> ranks;
-    // Modulo 2^64, for a part of a large range times k may not fit; the sum does.
+    // Modulo 2^64, because k times a part of a large range may not fit; the sum does.
     const auto part = static_cast<std::uint64_t>(to / kParts - from / kParts);
     for (std::uint64_t k = 1; k < kParts; ++k) {
       const double share = static_cast<double>(k) / kParts;
@@ -175,7 +175,7 @@ class RangeSearch {
     return between(from, to, std::move(ranks));
   }
 
-  /// The last number towards one end of the format up to which the law breaks.
+  /// The last number up to which the law breaks, on the way to one end of the format.
   Rank end_towards(Rank last, Rank from) {
     Rank end = from;
     std::optional<Rank> beyond;
@@ -191,8 +191,8 @@ class RangeSearch {
     return settled(from, end);
   }
 
-  /// Cuts a range from a number to its end where one between, tried now or before, does not break
-  /// the law.
+  /// The end of the range from a number: `end`, or the last number before one that does not break
+  /// the law, of those tried now or before.
   Rank settled(Rank from, Rank end) {
     for (;;) {
       for (const Rank at : some_between(from, end)) {
@@ -217,7 +217,8 @@ class RangeSearch {
     }
   }
 
-  /// Whether the law certainly breaks at all numbers of one sign between two at which it does.
+  /// Whether the law is proved to break at all numbers between two of the same sign at which it
+  /// breaks.
   bool is_certain_between(Rank a, Rank b) {
     const auto with = [&](Rank at) {
       *number_ = number(at);
@@ -227,7 +228,7 @@ class RangeSearch {
     return is_certain(law_, candidate_, cases, kind_);
   }
 
-  /// The last number from `from` towards `to` up to which the law is proved to break.
+  /// The last number, from `from` towards `to`, up to which the law is proved to break.
   Rank certain_towards(Rank to, Rank from, int& boxes) {
     if (from == to || boxes-- <= 0) return from;
     const bool has_one_sign = from == 0 || to == 0 || (from < 0) == (to < 0);
@@ -249,7 +250,7 @@ class RangeSearch {
     int below = boxes, above = boxes;
     const Span certified = {number(certain_towards(low_end, from, below)),
                             number(certain_towards(high_end, from, above))};
-    // Looking for a certificate asks for more numbers.
+    // The search for a certificate tries more numbers, which may cut the range.
     const Rank low = settled(from, low_end), high = settled(from, high_end);
     NumberRange result{name, value, {number(low), number(high)}, 0, !holds_somewhere_};
     for (const auto& [at, answer] : asked_) {
@@ -265,10 +266,10 @@ class RangeSearch {
   const std::optional<double> max_error_;
   const bool strict_;
   Case case_;
-  const Rank last_;  ///< Of the format.
+  const Rank last_;  ///< The last rank of the format.
   Ranges found_;
   DefectKind kind_;
-  // Of the number under search:
+  // The number whose range is sought:
   double* number_ = nullptr;
   std::map<Rank, std::optional<bool>> asked_;
   bool holds_somewhere_ = false;

@@ -23,7 +23,7 @@ void keep_first_of_each(std::vector<Example>& found, Example one) {
 
 }  // namespace
 
-std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays) {
+std::optional<Case> case_of_stage(const Case& the_case, Stage stage, const Candidate& rays) {
   if (stage == Stage::kRays) {
     return the_case.scene.camera ? std::optional(the_case) : std::nullopt;
   }
@@ -41,10 +41,11 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
 }
 
-RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format) {
+RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays,
+                          InputFormat format) {
   RoundedCase rounded = rounded_case(the_case, format);
   if (!rounded.the_case) return rounded;
-  std::optional<Case> asked = alone(*rounded.the_case, stage, rays);
+  std::optional<Case> asked = case_of_stage(*rounded.the_case, stage, rays);
   return asked ? rounded_case(*std::move(asked), format) : RoundedCase{};
 }
 
@@ -57,7 +58,7 @@ void StressResult::merge(StressResult other) {
 
 namespace {
 
-/// The candidates of one format.
+/// Judges the candidates of one format.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             InputFormat format, std::vector<StressResult>& results) {
   const auto first =
@@ -66,7 +67,7 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
   if (first == candidates.end()) return;
   const bool makes_rays = first->pixel_rays || first->focal_rays;
   const Candidate& rays = makes_rays ? *first : candidates.front();
-  const RoundedCase rounded = alone(the_case, stage, rays, format);
+  const RoundedCase rounded = case_of_stage(the_case, stage, rays, format);
   const std::optional<Case>& asked = rounded.the_case;
   if (!asked && rounded.reason.empty()) return;
   std::optional<SharedTruths> truths;
@@ -115,13 +116,26 @@ std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
       stress(source.make(seeds.bits()), stage, candidates, results);
     }
   } catch (const scene::Interrupted&) {
-    // The result is what was judged so far.
+    // The result has the cases judged so far.
   }
   for (StressResult& result : results) {
     result.inside.drop_discrepancies();
     result.outside.drop_discrepancies();
   }
   return results;
+}
+
+AnswersFailed answers_failed(const StressResult& result) {
+  AnswersFailed failed;
+  for (const Verdict* verdict : {&result.inside, &result.outside}) {
+    for (const auto& [quantity, tally] : verdict->tallies()) {
+      failed.count += tally.count(Wrong::kFailed);
+    }
+  }
+  const auto first = std::ranges::find_if(
+      result.found, [](const Example& one) { return one.discrepancy.wrong == Wrong::kFailed; });
+  if (first != result.found.end()) failed.first = first->discrepancy.what;
+  return failed;
 }
 
 std::uint64_t defects(const Verdict& verdict) {

@@ -18,7 +18,7 @@ namespace {
 /// The number of random cases from which the search climbs.
 constexpr std::size_t kClimbs = 4;
 
-/// x with a different significand, exponent or sign, in a format.
+/// x with its significand, exponent or sign changed, in a format.
 double changed(double x, scene::Precision precision, Random& random) {
   const auto kind = random.integer(0, 9);
   if (kind == 0) return -x;
@@ -33,8 +33,8 @@ double changed(double x, scene::Precision precision, Random& random) {
   return x + ulps * ulp;
 }
 
-/// A case with one or two of its numbers changed; empty if it leaves the format's range, or becomes
-/// invalid.
+/// The case with one or two numbers changed; empty if a number leaves the format's range, or the
+/// case becomes invalid.
 std::optional<Case> neighbour(const Case& the_case, InputFormat format, Random& random) {
   Case result = the_case;
   std::int64_t count = 0;
@@ -50,7 +50,8 @@ std::optional<Case> neighbour(const Case& the_case, InputFormat format, Random& 
   return rounded_case(std::move(result), format).the_case;
 }
 
-/// Keeps one ray and one sphere: error, kappa and outcome then belong to one answer.
+/// Keeps only the first ray and the first sphere, so that error, kappa and outcome belong to one
+/// answer.
 void keep_first(Case& the_case) {
   const auto keep = [](auto& list) { list.resize(std::min<std::size_t>(list.size(), 1)); };
   keep(the_case.pixels);
@@ -58,7 +59,7 @@ void keep_first(Case& the_case) {
   keep(the_case.scene.spheres);
 }
 
-/// Searches for the case on which one law's quantity is worst.
+/// Searches for the case on which the quantity of one law is worst.
 class Climber {
  public:
   Climber(const Candidate& candidate, Stage stage, const SearchOptions& options,
@@ -70,13 +71,13 @@ class Climber {
         control_(control),
         random_(options.seed) {}
 
-  /// The worst of some random cases.
+  /// The worst kClimbs of the random cases.
   std::vector<WorstCase> random_phase() {
     std::vector<WorstCase> best;
     for (int k = 0; k < options_.cases && !control_.interrupted(); ++k) {
       const auto& source = options_.sources[static_cast<std::size_t>(k) % options_.sources.size()];
       std::optional<Case> one =
-          alone(source.make(random_.bits()), stage_, candidate_, candidate_.input_format())
+          case_of_stage(source.make(random_.bits()), stage_, candidate_, candidate_.input_format())
               .the_case;
       if (!one) continue;
       keep_first(*one);
@@ -115,11 +116,11 @@ class Climber {
   }
 
  private:
-  /// Empty if the case measures nothing in the candidate's domain, or the measure is not a number,
-  /// or on interrupt.
+  /// Judges a case. Empty if nothing was measured in the candidate's domain, if the maximised value
+  /// is NaN, or on an interrupt.
   std::optional<WorstCase> look(const Case& the_case) const try {
     if (!is_problem(the_case, candidate_.declared)) return std::nullopt;
-    // With a bound of 0 every error is a discrepancy, whose place and numbers are kept.
+    // With a bound of 0, every error is a discrepancy, which stores its place and numbers.
     Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
     if (!trial.inside_domain()) return std::nullopt;
     const Verdict verdict = apply(law_, trial);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "reference/account/internal/radical_sum.h"
-// The formulas find first_root(RadicalSum) when they are instantiated here.
+// The formulas find first_root(RadicalSum) when they are instantiated in this file.
 #include "reference/internal/camera_impl.h"
 #include "reference/internal/formulas.h"
 #include "scene/scene.h"
@@ -16,7 +16,7 @@ std::string text_of(const ClosedForm::Natural& numerator, const ClosedForm::Natu
   return denominator.is_one() ? numerator.digits : numerator.digits + "/" + denominator.digits;
 }
 
-/// Without its sign.
+/// The text of a term without its sign.
 std::string text_of(const ClosedForm::Term& term) {
   std::string product = text_of(term.numerator, term.denominator);
   if (product == "1" && !term.is_rational()) product.clear();

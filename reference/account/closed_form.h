@@ -13,19 +13,19 @@
 
 namespace raycheck::reference {
 
-/// An exact number: a sum of terms, in the order in which they are written; 0 is the empty sum.
+/// An exact number: a sum of terms, in the order of the text; 0 is the empty sum.
 struct ClosedForm {
   /// A positive integer.
   struct Natural {
     std::string digits = "1";  ///< In decimal.
-    /// For odd * 2^twos with twos >= kFewestTwos and odd <= kLargestOdd; otherwise both are 0.
+    /// If digits = odd * 2^twos with twos >= kFewestTwos and odd <= kLargestOdd; otherwise 0.
     unsigned odd = 0, twos = 0;
 
     bool is_one() const { return digits == "1"; }
     bool is_short_product() const { return twos != 0; }
   };
-  /// numerator/denominator in lowest terms, negated where it is `negative`, times all `sums`, times
-  /// the square roots of all `radicands`.
+  /// numerator/denominator in lowest terms, negated if `negative`, times all `sums`, times the
+  /// square roots of all `radicands`.
   struct Term {
     bool negative = false;
     Natural numerator = {}, denominator = {};
@@ -41,13 +41,12 @@ struct ClosedForm {
   std::string text() const;
 };
 
-/// Integers of ten digits and more are also factored into a short odd number and a power of two.
+/// Limits for writing an integer as a short odd number times a power of two; see Natural.
 inline constexpr unsigned kFewestTwos = 32, kLargestOdd = 999;
 
 /// The coordinates of a point or vector, each as a closed form.
 using ClosedForm3 = std::array<ClosedForm, 3>;
 
-/// The text of each form.
 std::vector<std::string> texts(std::span<const ClosedForm> forms);
 
 struct ClosedFormFrame {
@@ -55,16 +54,17 @@ struct ClosedFormFrame {
 };
 
 /// The camera axes as sums of rationals times square roots of integers, larger radicands first, as
-/// SageMath orders them. Square factors are taken out of every radicand (those with
-/// a prime below kLargestTrialPrime, and a cofactor that is itself a square); terms that are 0 are
-/// dropped. Domain: as ExactCamera.
+/// SageMath orders them. Squares of primes up to kLargestTrialPrime are taken out of every
+/// radicand, and also what is left if it is a square. Terms that are 0 are dropped. Domain: that of
+/// ExactCamera.
 ClosedFormFrame closed_form_frame(const scene::Camera& camera);
 
 /// The largest prime that is tried as a factor of a radicand.
 inline constexpr int kLargestTrialPrime = 1 << 16;
 
-/// One ray's values in closed form; same names and domain as EnclosedRay. Values of a hit outside
-/// the field keep one nested root: B*sqrt(C) + A with A, B, C in closed form.
+/// The values of a ray in closed form, with the names and the domain of EnclosedRay. A value of a
+/// hit that is not in the field of the ray's other values keeps one nested root: B*sqrt(C) + A with
+/// A, B, C in closed form.
 class ClosedFormRay {
  public:
   struct Impl;
@@ -72,7 +72,8 @@ class ClosedFormRay {
                 const scene::Pixel& pixel);
   explicit ClosedFormRay(const scene::Ray& ray);
 
-  ClosedForm alpha() const;  ///< Only for a camera's ray, like beta and pixel_point.
+  // alpha, beta and pixel_point are only for a camera's ray.
+  ClosedForm alpha() const;
   ClosedForm beta() const;
   ClosedForm3 pixel_point() const;
   ClosedForm3 origin() const;
@@ -83,7 +84,7 @@ class ClosedFormRay {
   ClosedForm axial_distance(const scene::Sphere& sphere) const;  ///< v = T.D
   ClosedForm half_chord_sq(const scene::Sphere& sphere) const;   ///< d^2
   ClosedForm parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
-  /// v - d or v + d: the parameter for the unit direction, a length.
+  /// v - d or v + d, a length: the parameter if the direction were unit.
   ClosedForm distance(const scene::Sphere& sphere, const Intersection& intersection) const;
   ClosedForm3 point(const scene::Sphere& sphere, const Intersection& intersection) const;
 

@@ -18,42 +18,42 @@
 namespace raycheck::reference {
 namespace {
 
-/// The distance of the discriminant inside a condition when its root must be small, as a share of
-/// its reach.
+/// If the root of the discriminant must be small, the discriminant is set to this share of its
+/// reach.
 constexpr double kJustInside = 0x1p-44;
 
-/// The number of projections of a point to where conditions hold to first order.
+/// The number of times that a point is projected to where the conditions hold to first order.
 constexpr int kProjections = 32;
-/// How far past an inequality's zero a projection goes, times the distance to it.
+/// A projection goes this times as far as to the zero of an inequality.
 constexpr double kBeyond = 1 + 0x1p-10;
 
-/// How finely a line through the neighbourhood is searched: steps to each side of its middle, and
-/// bisections of a step over which a decider changes sign.
+/// The search along a line: the number of steps to each side of the middle, and of bisections of a
+/// step over which a decider changes sign.
 constexpr int kLineSteps = 8;
 constexpr int kBisections = 60;
 
-/// `zero`, if given, is 0, and `sign` times `what` is not negative; or, if `sign` is 0, `what` is
-/// as small as near a double root.
+/// The condition that `sign` times `what` is not negative; if `sign` is 0, that `what` is as small
+/// as near a double root. If `zero` is given, it must be 0, too.
 struct Condition {
   std::optional<Decider> zero;
   Decider what;
   int sign = 1;
 };
 
-/// How a decider varies, about one point or over the box.
+/// Gives the variation of a decider, about a point or over the box.
 using VariationOf = std::function<Variation(Decider)>;
 
-/// Shares of an answer's slack in which witnesses are looked for. Rounding a witness moves a double
-/// root by the square root of the discriminant's change: the first share leaves room for that, the
-/// last is nearly all of the slack.
+/// Witnesses are searched for within these shares of an answer's allowed error. Rounding a witness
+/// moves a double root by the square root of the discriminant's change. The first share leaves room
+/// for this; the last is nearly all of the allowed error.
 constexpr std::array<double, 3> kSharesOfSlack = {1 - 0x1p-3, 1 - 0x1p-8, 1 - 0x1p-30};
 
-/// How far "just inside" a condition is, as a share of its reach.
+/// A condition holds "just inside" if its value is this share of its reach.
 constexpr double kInside = 0x1p-20;
 
-/// Whether a condition without an equation can be met. A line misses where the discriminant is
-/// negative, or 0 if tangents count as misses; a root at the origin is a hit of the nearest, a
-/// miss of the smaller root where that is the other one.
+/// Whether a condition without `zero` may hold. A line misses if the discriminant is negative, or 0
+/// if tangents count as misses. A root at the origin is a hit if the nearest root counts, and a
+/// miss if only the smaller root counts and the root at the origin is the larger.
 bool may_be(AnswerBox& box, const Variation& f, const Condition& condition) {
   if (condition.sign == 0) {
     Enclosure most = box.most_near_double_root();
@@ -76,7 +76,7 @@ bool is_refuted(AnswerBox& box, const Condition& condition) {
   if (!g.may_be_zero() || !f.may_be_at_least_zero()) return true;
   const auto optimum = highest_where_zero(linear_form(f), linear_form(g));
   if (!optimum) return false;
-  // Where g = 0, f equals f + multiplier g, which may vary less.
+  // If g = 0, f is equal to f + multiplier g, which may vary less.
   const Enclosure multiplier = Enclosure(optimum->multiplier, kVariationBits) * f.most / g.most;
   std::vector<Enclosure> reach;
   for (std::size_t k = 0; k < f.reach.size(); ++k) {
@@ -86,7 +86,7 @@ bool is_refuted(AnswerBox& box, const Condition& condition) {
   return !both.may_be_at_least_zero();
 }
 
-/// The ways in which an answer may be right: each a list of conditions that hold at once.
+/// The ways in which an answer may be right, each a list of conditions that must all hold.
 std::vector<std::vector<Condition>> alternatives(const AnswerBox& box) {
   const bool only_smaller = box.around().root == scene::Root::kSmaller;
   if (!box.answer()) {
@@ -105,14 +105,13 @@ std::vector<std::vector<Condition>> alternatives(const AnswerBox& box) {
   return result;
 }
 
-/// Whether one of the conditions certainly holds nowhere.
+/// Whether one of the conditions certainly fails everywhere.
 bool are_refuted(AnswerBox& box, const std::vector<Condition>& all) {
   return std::any_of(all.begin(), all.end(),
                      [&](const Condition& condition) { return is_refuted(box, condition); });
 }
 
-/// Moves one coordinate, the one that must move least, so that the decider is 0 up to its last
-/// bits.
+/// Moves the one coordinate that must move least, so that the decider is 0 up to its last bits.
 std::vector<double> on_zero(const AnswerBox& box, Decider decider, const Variation& variation,
                             std::vector<double> t) {
   const std::vector<Enclosure>& reach = variation.reach;
@@ -131,7 +130,7 @@ std::vector<double> on_zero(const AnswerBox& box, Decider decider, const Variati
   return t;
 }
 
-/// Points of the box [-1, 1]^n where the conditions, taken as linear, hold if they hold anywhere.
+/// Points of the box [-1, 1]^n where the conditions, taken as linear, hold if they can.
 std::vector<std::vector<double>> places(const AnswerBox& box, const std::vector<Condition>& all,
                                         const VariationOf& variation_of) {
   std::vector<std::vector<double>> result;
@@ -159,7 +158,8 @@ std::vector<std::vector<double>> places(const AnswerBox& box, const std::vector<
       }
     }
   }
-  // Just inside one condition, as far inside another as possible: for two, or near a double root.
+  // Just inside one condition and as far inside another as possible; for two conditions, or near a
+  // double root.
   const auto just_inside = [&](LinearForm first, const LinearForm& second) {
     first.value -= kInside;
     if (auto optimum = highest_where_zero(second, first)) result.push_back(std::move(optimum->t));
@@ -173,7 +173,7 @@ std::vector<std::vector<double>> places(const AnswerBox& box, const std::vector<
   return result;
 }
 
-/// The search for inputs near those of a ray and a sphere for which an answer is right.
+/// Searches for inputs near those of a ray and a sphere for which an answer is right.
 class AnswerSearch {
  public:
   AnswerSearch(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
@@ -208,8 +208,8 @@ class AnswerSearch {
   }
 
  private:
-  /// The same by lengths of vectors, where the neighbourhood is so wide that their squares are not
-  /// nearly linear. It may find a witness on the way.
+  /// Whether lengths of vectors refute the conditions. Needed if the neighbourhood is so wide that
+  /// the squares of the lengths are not nearly linear. May also find a witness.
   bool are_refuted_by_length(const std::vector<Condition>& all,
                              std::optional<InputChange>& witness) {
     const Condition& first = all.front();
@@ -240,7 +240,7 @@ class AnswerSearch {
     });
   }
 
-  /// Where the line just touches the sphere, as close to the answer as possible.
+  /// Searches where the line just touches the sphere, as close to the answer as possible.
   std::optional<InputChange> search_near_double_root(std::vector<double> t) const {
     for (int step = 0; step < kPrograms; ++step) {
       if (auto change = box_.change_at(t); box_.is_right(change)) return change;
@@ -257,7 +257,7 @@ class AnswerSearch {
     return std::nullopt;
   }
 
-  /// The function that is not negative if the answer is near a double root.
+  /// Variations none of which is negative if the answer is near a double root.
   template <class VariationOf>
   std::vector<Variation> near_double_root(const VariationOf& variation_of) {
     const Variation discriminant = variation_of(Decider::kDiscriminant);
@@ -267,8 +267,8 @@ class AnswerSearch {
             shifted(discriminant, -1, most * most)};
   }
 
-  /// For ill-conditioned inputs, where the deciders are not linear over the neighbourhood: by
-  /// successive linear programs, each about the point that the last one found.
+  /// Searches by successive linear programs, each about the point that the last one found. Needed
+  /// for ill-conditioned inputs, for which the deciders are not linear over the neighbourhood.
   std::optional<InputChange> search_step_by_step(const std::vector<Condition>& all) const {
     std::vector<double> t = box_.middle();
     for (int step = 0; step < kPrograms; ++step) {
@@ -283,9 +283,9 @@ class AnswerSearch {
     return std::nullopt;
   }
 
-  /// For neighbourhoods so wide that their ends are far from where answers change: from the middle
-  /// to the nearest point where a condition holds to first order, and on from there. Distances
-  /// count relative or absolute changes of the inputs.
+  /// Searches neighbourhoods so wide that their ends are far from where answers change. Goes from
+  /// `start` to the nearest point where a condition holds to first order, and on from there.
+  /// Distances are measured in relative, then in absolute changes of the inputs.
   std::optional<InputChange> search_by_projections(const std::vector<Condition>& all,
                                                    const std::vector<double>& start) const {
     std::vector<double> sizes = box_.sizes();
@@ -301,7 +301,7 @@ class AnswerSearch {
       const LinearForm f = linear_form(box_.variation_at(decider, t));
       const double value = f.at(t) * (sign == 0 ? 1 : kBeyond);
       if (sign * value > 0) return;
-      // Along the gradient, except for inputs already at an end.
+      // Along the gradient, except for inputs that are already at an end.
       std::vector<double> along(t.size());
       double rise = 0;
       for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -330,8 +330,9 @@ class AnswerSearch {
     return std::nullopt;
   }
 
-  /// And if it is far from linear: along lines through the middle, on which all inputs change so
-  /// that a decider rises most, or only one does.
+  /// Searches along lines through the middle, for deciders that are far from linear. On the first
+  /// line all inputs change so that the decider rises most; on each other line only one input
+  /// changes.
   std::optional<InputChange> search_along_lines(const std::vector<Condition>& all) const {
     const Decider decider = all.front().zero.value_or(all.front().what);
     const std::vector<double> rising =
@@ -346,7 +347,7 @@ class AnswerSearch {
     return std::nullopt;
   }
 
-  /// On one line: at every step, and where the decider is 0.
+  /// Searches one line: at every step, and where the decider is 0.
   std::optional<InputChange> search_along(Decider decider, const std::vector<double>& line) const {
     const auto at = [&](double share) {
       std::vector<double> t = line;
@@ -376,7 +377,8 @@ class AnswerSearch {
   AnswerBox box_;
 };
 
-/// A separate function, so that no operation moves to where doubles round as the caller set them.
+/// A separate function, so that the compiler moves no operation to where the caller's rounding mode
+/// applies.
 [[gnu::noinline]] NearbyAnswer search(const ExactRay& ray, const scene::Sphere& sphere,
                                       const Neighbourhood& around,
                                       const std::optional<double>& answer) {

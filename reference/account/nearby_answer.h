@@ -10,9 +10,9 @@
 
 namespace raycheck::reference {
 
-/// Every input x becomes x (1 + its share), exactly. The inputs are those of the ray (eye, look-at,
-/// up, near, left, right, bottom, top of a camera; origin and direction of a given ray), then the
-/// centre and the radius of each sphere.
+/// The shares by which inputs change: an input x becomes x (1 + share), exactly. The inputs are
+/// those of the ray (eye, look-at, up, near, left, right, bottom, top of a camera; origin and
+/// direction of a given ray), then the centre and the radius of each sphere.
 using InputChange = std::vector<double>;
 
 /// Whether a wrong answer is right for inputs close by.
@@ -20,32 +20,32 @@ enum class Nearby { kWitness, kRefuted, kUndecided };
 
 struct NearbyAnswer {
   Nearby found = Nearby::kUndecided;
-  InputChange witness;  ///< Only for kWitness: inputs for which the answer is right.
+  InputChange witness;  ///< For kWitness: a change of the inputs that makes the answer right.
 };
 
-/// A question about inputs close by: under which conventions, and how close.
+/// The inputs close by, and the conventions for them.
 struct Neighbourhood {
   scene::Root root = scene::Root::kNearest;
   scene::Tangent tangent = scene::Tangent::kHit;
-  double relative_change = 0;    ///< Of each input, at most.
-  scene::ValidRoots valid = {};  ///< Which roots count: not inputs; taken exactly.
+  double relative_change = 0;    ///< The largest relative change of each input.
+  scene::ValidRoots valid = {};  ///< The roots that count. They are exact and do not change.
 };
 
-/// Whether a ray and a sphere of the neighbourhood meet as an answer says: not at all (empty), or
-/// at s, the root s' that the conventions ask for. s itself may be off, but not negative: by the
-/// same share of s and of the distance from the origin to the centre (its largest coordinate over
-/// the direction's); or, near a double root, as far as a (|s - s'| + |s' - s''|)^2 <= R, where a =
-/// |g|^2, s'' is the other root, and R is the change of |T - s g|^2 - r^2 over the neighbourhood,
-/// to first order.
+/// Whether an answer is right for a ray and a sphere of the neighbourhood. The answer is that they
+/// do not meet (empty), or that they meet at s. Let s' be the root that the conventions ask for,
+/// s'' the other root. s must not be negative, and may be off from s' by the relative change times
+/// s plus the distance from the origin to the centre (its largest coordinate over the direction's).
+/// Near a double root it may also be off as far as a (|s - s'| + |s' - s''|)^2 <= R, where a =
+/// |g|^2, and R is the change of |T - s g|^2 - r^2 over the neighbourhood, to first order.
 /// Shape:  a ray, a sphere and an answer -> a witness, a refutation, or neither.
-/// Units:  s in multiples of a given ray's direction, as a length of a camera's.
-/// Domain: as ExactRay; an s that is negative or NaN is refuted.
-/// Error:  witnesses are verified and refutations proven, both by balls, or by intervals where an
-///         answer is far from right. Both are searched for where the deciders are linear in the
-///         inputs, as they nearly are over a small neighbourhood; over wide ones by lengths of
-///         vectors, witnesses also by projections and along lines. The rest is undecided: roots
+/// Units:  s in multiples of a given ray's direction; for a camera's ray, a length.
+/// Domain: that of ExactRay. An s that is negative or NaN is refuted.
+/// Error:  witnesses are verified and refutations proved, both by balls, or by intervals if an
+///         answer is far from right. The search assumes that the deciders are linear in the inputs,
+///         as they nearly are over a small neighbourhood. In wide neighbourhoods it uses lengths of
+///         vectors, and for witnesses also projections and lines. Undecided are roots that are
 ///         about as far from right as the neighbourhood is wide, and answers that only an exact
-///         tangent would make right. Where not every root >= 0 counts, see
+///         tangent would make right. If not every root >= 0 counts, see
 ///         reference/account/nearby_valid.h.
 /// Source: mixed forward-backward error (N. J. Higham, Accuracy and Stability of Numerical
 ///         Algorithms, 1.5); mean-value forms (R. E. Moore, Interval Analysis); linear programs of

@@ -19,10 +19,10 @@ namespace {
 using Conditions = std::vector<ChoiceCondition>;
 using What = ChoiceCondition::What;
 
-/// The most spheres that may change their inputs, and the most ways of meeting them that are tried.
+/// The largest number of spheres whose inputs may change, and of ways to meet them that are tried.
 constexpr std::size_t kMostSpheres = 12;
 constexpr int kMostWays = 64;
-/// The most parts that a neighbourhood is divided into.
+/// The largest number of parts into which a neighbourhood is divided.
 constexpr std::size_t kMostParts = 64;
 
 struct ChoiceQuestion {
@@ -33,14 +33,15 @@ struct ChoiceQuestion {
   const FirstMet& claim;
 };
 
-/// Whether a claim is right, or a sphere that makes it wrong; neither if that is undecided.
+/// Whether a claim is right, or else a sphere that makes it wrong; neither if it is undecided.
 struct Judgement {
   bool is_right = false;
   std::optional<std::size_t> offender;
 };
 
-/// Judges by meet(sphere), an Intersection, and order(sphere, its own, sphere', its own), the sign
-/// of s - s'; both empty if unknown. The claimed sphere is judged first.
+/// Judges by meet(sphere), which returns an Intersection, and order(sphere, intersection, sphere',
+/// intersection'), which returns the sign of s - s'; both return empty if it is unknown. The
+/// claimed sphere is judged first.
 template <class Meet, class Order>
 Judgement judge_by(const ChoiceQuestion& question, Meet meet, Order order) {
   const FirstMet& claim = question.claim;
@@ -72,7 +73,6 @@ Judgement judge_by(const ChoiceQuestion& question, Meet meet, Order order) {
   return {claim.what != FirstMet::What::kSomething, {}};
 }
 
-/// By exact decisions.
 Judgement judge(const ChoiceQuestion& question) {
   return judge_by(
       question,
@@ -85,7 +85,7 @@ Judgement judge(const ChoiceQuestion& question) {
       });
 }
 
-/// By balls.
+/// Judges the changed inputs by balls.
 Judgement judge_changed(const ChoiceQuestion& question, const InputChange& change) {
   const ExactRay::Source& source = question.ray.source();
   constexpr std::size_t kOfSphere = kSphereInputs;
@@ -130,7 +130,7 @@ class ChoiceSearch {
     if (as_it_is.is_right) return {Nearby::kWitness, {}};
     if (question_.claim.what == FirstMet::What::kSomething) return meet_some();
     if (question_.claim.what == FirstMet::What::kSphere) slots_.push_back(question_.claim.sphere);
-    // Adds spheres that make witnesses wrong, until there are no more.
+    // Adds spheres that make a witness wrong, until there are no more.
     for (std::optional<std::size_t> next = as_it_is.offender; slots_.size() <= kMostSpheres;) {
       if (next && !is_slot(*next)) slots_.push_back(*next);
       if (slots_.empty()) return {};
@@ -170,7 +170,7 @@ class ChoiceSearch {
     } else {
       for (const int root : hit_roots()) take(hit(0, root), 1, root, {});
     }
-    // If another sphere is in the way, adds it before spending more.
+    // If another sphere makes the claim wrong, it is added before the costly search of parts.
     if (offender_ && !open_.empty()) is_refuted_ = false;
     for (const Conditions& all : open_) {
       if (!witness_ && is_refuted_) search_parts(all);
@@ -205,7 +205,7 @@ class ChoiceSearch {
     return result;
   }
 
-  /// The ways in which a sphere does not make the claim wrong, with the favourite met at this root.
+  /// The ways in which a sphere does not make the claim wrong if the favourite is met at this root.
   std::vector<Conditions> ways_past(std::size_t slot, int favourite_root) const {
     std::vector<Conditions> result = misses(slot);
     if (question_.claim.what != FirstMet::What::kSphere) return result;
@@ -224,7 +224,8 @@ class ChoiceSearch {
     }
   }
 
-  /// Adds conditions, except those that always hold, and goes on; ends if one cannot hold.
+  /// Adds conditions, except those that always hold, and goes on with the next sphere. Ends if a
+  /// condition cannot hold.
   void take(const Conditions& more, std::size_t next, int favourite_root, Conditions all) {
     if (witness_) return;
     for (const ChoiceCondition& condition : more) {
@@ -233,7 +234,7 @@ class ChoiceSearch {
       if (is_certain(varied)) continue;
       all.push_back(condition);
       if (condition.what != What::kAfter || varied.is_finite()) continue;
-      // Where a root may be double: conditions that do not need its derivative.
+      // A root that may be double has no derivative; these conditions need none.
       all.back().what = What::kOutside;
       if (is_impossible(whole_->of(all.back()), all.back())) return;
       if (condition.root > 0) continue;
@@ -268,7 +269,7 @@ class ChoiceSearch {
     return result;
   }
 
-  /// By linear programs, each about the point that the last one found.
+  /// Searches for a witness by linear programs, each about the point that the last one found.
   void find_witness(const Conditions& all) {
     const std::size_t n = inputs_->dimension();
     std::vector<double> t = best_place(variations(*whole_, all), n).t;
@@ -278,8 +279,8 @@ class ChoiceSearch {
     if (!witness_) open_.push_back(all);
   }
 
-  /// Where the conditions are not linear enough over the neighbourhood: in halves of it, each
-  /// halved again along the input that matters most.
+  /// Searches halves of the neighbourhood, each halved again along the input that matters most.
+  /// Needed if the conditions are not linear enough over the whole neighbourhood.
   void search_parts(const Conditions& all) {
     const std::size_t n = inputs_->dimension();
     std::vector<Part> parts = {{std::vector<double>(n), std::vector<double>(n, 1.0)}};
@@ -357,7 +358,8 @@ class ChoiceSearch {
   int ways_ = 0;
 };
 
-/// A separate function, so that no operation moves to where doubles round as the caller set them.
+/// A separate function, so that the compiler moves no operation to where the caller's rounding mode
+/// applies.
 [[gnu::noinline]] NearbyAnswer search(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                                       const Neighbourhood& around, const FirstMet& claim) {
   return ChoiceSearch(ray, spheres, around, claim).run();

@@ -12,15 +12,15 @@ namespace {
 
 constexpr int kBits = 256;
 
-/// Where a ray meets a sphere for every input of a neighbourhood.
+/// Where a ray meets a sphere, if this is the same for all inputs of a neighbourhood.
 struct Everywhere {
   enum class Meets { kNowhere, kAtOneRoot, kUnknown };
   Meets meets = Meets::kUnknown;
   WhichRoot root = WhichRoot::kSmaller;
-  Enclosure s, other_s;  ///< Of kAtOneRoot, and of the other root.
+  Enclosure s, other_s;  ///< For kAtOneRoot: this root and the other root.
 };
 
-/// A neighbourhood of a ray and spheres, in balls.
+/// Balls of the values of a ray and spheres over a neighbourhood.
 class Box {
  public:
   Box(const ExactRay& ray, const Neighbourhood& around)
@@ -54,8 +54,9 @@ class Box {
     return (ray_.axial_distance(sphere) + sqrt(ray_.half_chord_sq(sphere))).certain_sign() == -1;
   }
 
-  /// Whether other roots may count than if every root >= 0 counted: not if, for rays, all roots are
-  /// behind, nor if all lie in front and well inside the interval, the smaller not culled.
+  /// Whether the roots that count may differ from those >= 0. They do not if all roots are behind
+  /// the origin of a ray (not a line), or if all roots lie in front and well inside the interval
+  /// and the smaller one is not culled.
   bool ends_matter(const scene::Sphere& sphere) const {
     const Enclosure half_chord_sq = ray_.half_chord_sq(sphere);
     if (half_chord_sq.certain_sign() == -1) return false;
@@ -72,19 +73,19 @@ class Box {
   }
 
  private:
-  /// t in s or, if the ends are scene lengths, in these.
+  /// An end of the interval in the unit of s, or in scene lengths if the ends are scene lengths.
   Enclosure end_at(double t, const scene::Sphere& sphere) const {
     const Enclosure end(t, kBits);
     return around_.valid.unit == scene::TUnit::kRadius
                ? end * Enclosure::within(sphere.radius, around_.relative_change, kBits)
                : end;
   }
-  /// How long the unit of end_at() is along the ray.
+  /// The length of the unit of end_at() along the ray.
   Enclosure length_of_unit() const {
     return around_.valid.unit == scene::TUnit::kLength ? Enclosure(1) : length_;
   }
 
-  /// Whether a root lies between t_min and t_max; empty where that is not the same everywhere.
+  /// Whether a root lies between t_min and t_max; empty if this is not the same everywhere.
   std::optional<bool> is_valid(const Enclosure& s, const scene::Sphere& sphere) const {
     const scene::ValidRoots& valid = around_.valid;
     const auto above = [&](double t) {
@@ -103,7 +104,7 @@ class Box {
 
   EnclosedRay ray_;
   const Neighbourhood& around_;
-  Enclosure length_;  ///< Of the direction that s counts.
+  Enclosure length_;  ///< The length of the direction of which s is a multiple.
 };
 
 using Meets = Everywhere::Meets;
@@ -127,7 +128,7 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
   if (here.meets == Meets::kUnknown) return {};
   if (!answer) return refuted_if(here.meets == Meets::kAtOneRoot);
   if (here.meets == Meets::kNowhere || !std::isfinite(*answer)) return refuted_if(true);
-  // At the other root everywhere, as in is_at_other_root().
+  // Refuted if the answer is at the other root everywhere, as in is_at_other_root().
   const Enclosure from_other = abs(Enclosure(*answer, kBits) - here.other_s);
   return refuted_if(
       is_certainly_less(Enclosure(kOtherRootShare) * from_other, abs(here.s - here.other_s)));
@@ -181,8 +182,8 @@ bool is_outside(const scene::ValidRoots& valid, const ExactRay& ray, const scene
     const bool is_radius = valid.unit == scene::TUnit::kRadius;
     const bool is_length = valid.unit == scene::TUnit::kLength && !ray.source().camera;
     if (!is_radius && !is_length) return s < t ? -1 : s > t ? 1 : 0;
-    // The product of two doubles has at most 106 bits, so a ball of kBits is exact; a length whose
-    // ball holds the end equals it, as no other length from doubles is that close.
+    // The product of two doubles has at most 106 bits, so that a ball of kBits is exact. A length
+    // whose ball contains the end is equal to it, since no other length from doubles is that close.
     const Enclosure at = Enclosure(s, kBits), end(t, kBits);
     return (is_length ? at * ray.enclose(kBits).length() - end
                       : at - end * Enclosure(sphere.radius, kBits))

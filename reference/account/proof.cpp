@@ -10,7 +10,7 @@
 #include "reference/internal/ray_impl.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
-// The formulas find first_root(RationalInterval) when they are instantiated here.
+// The formulas find first_root(RationalInterval) when they are instantiated in this file.
 #include "reference/account/internal/rational_interval.h"
 
 namespace raycheck::reference {
@@ -18,7 +18,7 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// Bits of the stated numbers where the computed ones are not dyadic rationals.
+/// The bits of a stated number if the computed number is not a dyadic rational.
 constexpr int kStatedBits = 64;
 /// The bits of a vector's intervals relative to its length.
 constexpr int kVectorBits = 64;
@@ -36,7 +36,7 @@ bool is_dyadic(const Rational& x) {
   return mp::lsb(denominator) == mp::msb(denominator);
 }
 
-/// For dyadic ends.
+/// The bracket with the ends of x. Domain: they are dyadic.
 Bracket exact_bracket(const RationalInterval& x) {
   const Dyadic low = dyadic_of(x.low());
   const Dyadic high = dyadic_of(x.high());
@@ -47,15 +47,15 @@ Bracket exact_bracket(const RationalInterval& x) {
   return {Rational(x.low() * scale).str(), Rational(x.high() * scale).str(), exponent};
 }
 
-/// A dyadic rational below x, as close as kStatedBits allow, nearly.
+/// A dyadic rational below x, about as close as kStatedBits allow.
 Rational below(const Rational& x) {
   if (x == 0) return x;
   const std::int64_t shift = kStatedBits - exponent_of(x);
   return Rational(Integer(floor_of(x * power_of_two(shift)) - 1)) * power_of_two(-shift);
 }
 
-/// The number itself where it is dyadic; otherwise a wider bracket, so that a checker that orders
-/// operations differently ends up inside.
+/// The number itself if it is dyadic; otherwise a wider bracket, which also contains the results of
+/// a checker that orders operations differently.
 Bracket stated(const RationalInterval& x) {
   if (x.is_exact() && is_dyadic(x.low())) return exact_bracket(x);
   return exact_bracket({below(x.low()), -below(-x.high()), x.bits()});
@@ -99,12 +99,12 @@ struct Quadratic {
   RationalInterval a, b, c;
 };
 
-/// Whether low <= that root of p <= high, certainly: p >= 0 and b - a mu >= 0 hold up to the
-/// smaller root, and nowhere else.
+/// Whether certainly low <= root <= high, for the given root of p. Only up to the smaller root both
+/// p >= 0 and b - a mu >= 0 hold.
 bool is_root_between(const RationalInterval& low, const RationalInterval& high, WhichRoot root,
                      const Quadratic& p) {
   const auto& [a, b, c] = p;
-  if (root == WhichRoot::kLarger) {  // It is minus the smaller root of p(-mu).
+  if (root == WhichRoot::kLarger) {  // The larger root is minus the smaller root of p(-mu).
     return is_root_between(-high, -low, WhichRoot::kSmaller, {a, -b, c});
   }
   const auto sign_of_p = [&, &a = a, &b = b, &c = c](const RationalInterval& mu) {
@@ -135,7 +135,7 @@ Dyadic dyadic(double finite) { return dyadic_of(Rational(finite)); }
 
 Bracket bracket(const Enclosure& x) { return exact_bracket(interval_of(x)); }
 
-/// One try at a proof: square roots to `bits` bits, parameters to `value_bits`.
+/// One attempt at a proof, with square roots to `bits` bits and parameters to `value_bits`.
 struct Prover::Attempt {
   const Prover& prover;
   const Proposition& proposition;
@@ -169,7 +169,8 @@ struct Prover::Attempt {
                                             const Intersection& at) const {
     const RationalInterval s = interval_of(prover.exact_->parameter(sphere, at, value_bits));
     const Quadratic p{line->a, linear_coefficient(pair), constant_coefficient(pair)};
-    // Square roots never show that a parameter is a dyadic number, only that it is near one.
+    // Enclosed square roots never show that a parameter is a dyadic number, only that it is near
+    // one.
     for (const RationalInterval& ends : {s, widened(s, value_bits)}) {
       const auto mu = [&](const Rational& end) { return RationalInterval(end, lift.bits) / unit; };
       if (is_root_between(mu(ends.low()), mu(ends.high()), at.root, p)) return ends;
@@ -285,7 +286,7 @@ std::optional<Proof> Prover::prove(const Proposition& proposition) const {
   for (int bits = kFirstProofBits; bits <= kMostProofBits; bits *= 2) {
     const int value_bits = ExactRay::kValueBits * (bits / kFirstProofBits);
     if (!Attempt{*this, proposition, RationalLift{bits}, value_bits}.run()) continue;
-    // Twice the bits that were enough: other orders of operations have bits to spare.
+    // Twice the bits that were enough, to spare some for other orders of operations.
     return Attempt{*this, proposition, RationalLift{2 * bits}, value_bits}.run();
   }
   return std::nullopt;

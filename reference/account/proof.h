@@ -21,32 +21,32 @@ struct Dyadic {
 };
 Dyadic dyadic(double finite);
 
-/// low * 2^exponent <= x <= high * 2^exponent; both are x itself where that is dyadic and known.
+/// low * 2^exponent <= x <= high * 2^exponent. If x is dyadic and known, both are equal to x.
 struct Bracket {
   std::string low = "0";
   std::string high = "0";
   std::int64_t exponent = 0;
 };
-/// The ends of a finite ball.
+/// The bracket with the ends of a finite ball.
 Bracket bracket(const Enclosure& x);
 
 /// How a ray meets a sphere, and the numbers whose signs prove it (reference/internal/formulas.h):
-/// the discriminant, then c and b if those before leave the answer open.
+/// the discriminant; c, if the discriminant does not decide; b, if c does not either.
 struct ProvenMeeting {
-  bool met = false;  ///< Under the conventions; root and parameter are valid only then.
+  bool met = false;  ///< Under the conventions. root and parameter are valid only if it is set.
   Intersection intersection;
   Bracket discriminant;
   std::optional<Bracket> c;
   std::optional<Bracket> b;
   std::optional<Bracket> s;
-  std::optional<Bracket> other_s;  ///< The other root, if wanted and different.
+  std::optional<Bracket> other_s;  ///< The other root, if it is wanted and different.
 };
 
-/// Brackets of square roots, as narrow as the proof needs: only for a camera.
+/// Brackets of a camera's square roots, as narrow as the proof needs.
 struct ProvenRoots {
   Bracket w;                      ///< |E - A|
   Bracket u;                      ///< |up x (E - A)|
-  std::optional<Bracket> length;  ///< |P - E|; of a pixel only.
+  std::optional<Bracket> length;  ///< |P - E|; empty without a pixel.
 };
 
 struct Proof {
@@ -54,28 +54,28 @@ struct Proof {
   std::vector<ProvenMeeting> meetings;  ///< One for each sphere.
 };
 
-/// The statement that a proof must show; a vector's intervals that follow from its brackets are
-/// narrower than 2^-ExactRay::kValueBits of its length.
+/// The statements that a proof must show. The intervals of a vector that follow from the brackets
+/// are narrower than 2^-ExactRay::kValueBits of its length.
 struct Proposition {
-  std::span<const scene::Sphere> spheres;  ///< Shows how each is met.
-  bool other_roots = false;                ///< For those that are met, shows the other root too.
+  std::span<const scene::Sphere> spheres;  ///< How each of these is met.
+  bool other_roots = false;                ///< Also the other root of each that is met.
   bool axes = false;                       ///< U, V, W.
-  bool pixel_point = false;                ///< P, of a camera's ray
+  bool pixel_point = false;                ///< P of a camera's ray.
   bool origin = false;
   bool direction = false;
   bool hit_points = false;                   ///< Q on each sphere that is met.
   std::optional<scene::Point3> from_origin;  ///< This point minus the ray's origin.
-  /// The sphere met first is met before every other that is met: unless their parameters are equal
-  /// (then the other's bracket does not begin before this one's ends, or the spheres are equal).
+  /// The first sphere is met before every other. Other spheres with the same parameter are allowed:
+  /// then their bracket does not begin before that of the first ends, or the spheres are equal.
   bool order = false;
 };
 
-/// Proofs that rational intervals can follow: every interval in them is computed from the input's
-/// doubles and the given brackets, only by +, -, *, /.
-/// Domain: as ExactRay.
-/// Error:  every returned proof has been checked that way. Empty if brackets of up to
-///         kMostProofBits bits prove nothing: where a value is 0, or two are equal, only because of
-///         square roots.
+/// Finds proofs that can be checked by rational intervals. Every interval is computed from the
+/// input's doubles and the given brackets, only by +, -, *, /.
+/// Domain: that of ExactRay.
+/// Error:  every returned proof has been checked in this way. Empty if brackets of up to
+///         kMostProofBits bits prove nothing. This happens if a value is 0, or two values are
+///         equal, only because of square roots.
 /// Source: docs/certificates.md
 class Prover {
  public:

@@ -9,7 +9,7 @@
 namespace raycheck::reference {
 namespace {
 
-/// A lift, its kernel and the kernel of the values that it differentiates by.
+/// A lift, its kernel, and the kernel of the inputs to differentiate by.
 template <class Lift>
 using KernelOf = typename std::decay_t<Lift>::Kernel;
 template <class Lift>
@@ -52,7 +52,7 @@ double direction_condition(const ExactRay& ray) {
   return condition_number<kCameraInputs>(quantity, [] { return false; });
 }
 
-/// The condition number of value(T, D, r): of a sphere seen along D from the ray's origin.
+/// The condition number of value(T, D, r), for a sphere and a ray.
 template <class Value, class IsZero>
 double seen_condition(const ExactRay& ray, const scene::Sphere& sphere, Value value,
                       IsZero is_zero) {

@@ -15,7 +15,8 @@ inline constexpr int kMiddleBits = 256;
 struct ExactCamera::Impl {
   Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
 
-  /// use(camera) at any precision: kept for the two usual ones.
+  /// Calls use(camera) with the camera at a precision. Cameras of the two usual precisions are
+  /// kept.
   template <class Use>
   auto enclosed(const EnclosureLift& lift, Use use) const {
     if (lift.relative_change == 0 && lift.bits == kFirstBits) return use(first_bits());
@@ -23,7 +24,7 @@ struct ExactCamera::Impl {
     return use(camera_numbers(lift, camera));
   }
 
-  // Made on demand: intervals nearly always decide.
+  // Made on demand, since intervals nearly always decide.
   const CameraNumbers<DoubleDoubleKernel>& double_doubles() const;
   const CameraNumbers<ExactKernel>& exact() const;
 
@@ -40,7 +41,7 @@ struct ExactCamera::Impl {
   OnDemand<CameraNumbers<ExactKernel>> exact_;
 };
 
-/// Throws std::invalid_argument unless the camera's image has the pixel.
+/// Throws std::invalid_argument if the pixel is outside the camera's image.
 void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel);
 
 inline Enclosure3 coordinates(const EnclosureKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// From the signs of coefficients to an intersection. Internal to reference/.
+// Finds an intersection from the signs of coefficients. Internal to reference/.
 
 #include <optional>
 
@@ -28,9 +28,9 @@ std::optional<int> sign_of(Coefficient coefficient, const LineAndSphere<K>& pair
   return certain_sign(coefficient_of(coefficient, pair));
 }
 
-/// The intersection from the signs of three coefficients, each computed only when it matters;
-/// empty when one that matters is not certain. With c < 0 the roots have opposite signs; with c > 0
-/// both have b's sign; with c = 0 one of them is 0.
+/// The intersection from the signs of three coefficients, each computed only if it matters; empty
+/// if a sign that matters is not certain. If c < 0, the roots have opposite signs; if c > 0, both
+/// have the sign of b; if c = 0, one of them is 0.
 template <class Sign>
 std::optional<Intersection> classify(Sign sign, scene::Root convention) {
   const Intersection miss{};

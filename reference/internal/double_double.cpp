@@ -12,7 +12,7 @@ DoubleDouble::DoubleDouble(const Enclosure& value) {
   }
   Enclosure rest = value - Enclosure(high_, value.bits());
   const double low = arf_get_d(arb_midref(rest.ball()), ARF_RND_NEAR);
-  // This does not hold where `high` is subnormal.
+  // This does not hold if `high` is subnormal.
   if (std::abs(low) <= 0x1p-53 * std::abs(high_)) {
     low_ = low;
     rest -= Enclosure(low, value.bits());

@@ -8,17 +8,17 @@
 
 namespace raycheck::reference {
 
-/// A closed interval that certainly holds one real number x: |x - (high + low)| <= radius, with
-/// high the double nearest to high + low. About 104 bits, without heap memory or unlimited
-/// exponents: results that over- or underflow get a radius that says so (infinite or NaN if nothing
-/// is known). Valid only while doubles round to nearest.
+/// A closed interval that certainly contains one real number x: |x - (high + low)| <= radius, where
+/// high is the double nearest to high + low. It has about 104 bits, and needs no heap memory. Its
+/// exponents are limited: the radius covers over- and underflow, and is infinite or NaN if nothing
+/// is known. Valid only while doubles round to nearest.
 /// Error:  each operation encloses the exact result. With u = 2^-53, it adds to the radius of its
-///         operands at most kDoubleDoubleError of the result, or of the larger operand of a sum,
-///         and kDoubleDoubleUnderflow. For products, quotients and roots that is proved in
-///         proofs/; the rounding errors of sums are computed.
+///         operands at most kDoubleDoubleError of the result (for a sum, of the larger operand),
+///         and kDoubleDoubleUnderflow. This is proved for products, quotients and roots in proofs/;
+///         the rounding errors of sums are computed.
 /// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971; M.
 ///         Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
-///         blocks of double-word arithmetic, 2017. The bounds here are simpler, and proved below.
+///         blocks of double-word arithmetic, 2017. The bounds here are simpler, and derived below.
 class DoubleDouble {
  public:
   DoubleDouble() = default;
@@ -31,12 +31,12 @@ class DoubleDouble {
   double radius() const { return radius_; }
   Enclosure enclosure() const;
 
-  /// True when radius <= 2^-relative_bits |x| for every x within, or the number is exact.
+  /// Whether radius <= 2^-relative_bits |x| for every x in the interval, or the number is exact.
   bool is_within(int relative_bits) const {
     return std::isfinite(high_) &&
            (radius_ == 0 || radius_ < std::ldexp(std::abs(high_) / 2, -relative_bits));
   }
-  /// The sign of every number within; empty where they may differ.
+  /// The sign of all numbers in the interval; empty if they may differ.
   std::optional<int> certain_sign() const {
     if (is_exact_zero()) return 0;
     const bool is_certain = std::isfinite(high_) && (radius_ == 0 || radius_ < std::abs(high_) / 2);
@@ -44,15 +44,16 @@ class DoubleDouble {
     return high_ > 0 ? 1 : -1;
   }
   bool is_exact_zero() const { return high_ == 0 && radius_ == 0; }
-  /// The double nearest to every number within; empty where they may have several.
+  /// The double nearest to all numbers in the interval; empty if it may not be the same for all.
   std::optional<double> nearest() const {
     const double away = up(std::abs(low_) + radius_);
     const bool is_certain = high_ + away == high_ && high_ - away == high_ && std::isfinite(high_);
     return is_certain ? std::optional(high_ + 0.0) : std::nullopt;
   }
-  /// Doubles above and below every number within, at most one step away; infinite or NaN if nothing
-  /// is known. (The end is high + low + radius. Where it cancels, sum.low and so rest.low are 0;
-  /// else rest.low is far below the last bit of end.high, which end.low is half of at most.)
+  /// Doubles above and below all numbers in the interval, at most one step away; infinite or NaN if
+  /// nothing is known. (The end is high + low + radius. If this sum cancels, sum.low and therefore
+  /// rest.low are 0. Otherwise rest.low is far below the last bit of end.high, and end.low is at
+  /// most half of this bit.)
   double upper() const {
     const Sum tail = two_sum(low_, radius_);
     const Sum sum = two_sum(high_, tail.high);
@@ -73,7 +74,7 @@ class DoubleDouble {
   friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b);
   friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b);
   friend DoubleDouble abs(const DoubleDouble& a) { return a.high_ < 0 ? -a : a; }
-  /// The square root of a number known not to be negative.
+  /// The square root of a number that is known to be >= 0.
   friend DoubleDouble sqrt(const DoubleDouble& a);
 
  private:
@@ -89,11 +90,11 @@ class DoubleDouble {
     const double of_b = sum - a;
     return {sum, (a - (sum - of_b)) + (b - of_b)};
   }
-  /// Exceeds the loss by underflow in an operation on x, or with the result x.
+  /// A bound on the loss by underflow in an operation on x, or with the result x.
   static double underflow_of(double x);
-  /// Exceeds the loss by underflow in the product or the quotient of a radius.
+  /// A bound on the loss by underflow in the product or the quotient of a radius.
   static double underflow_of_radius(double radius);
-  /// An upper bound, given a radius that is too small by at most 14 u relatively.
+  /// An upper bound on a radius whose computed value is too small by a share of at most 14 u.
   static double up(double radius) { return radius * (1 + 0x1p-49); }
 
   double high_ = 0;
@@ -101,13 +102,15 @@ class DoubleDouble {
   double radius_ = 0;
 };
 
-/// 9 u^2 of products, 16 u^2 of quotients, 6 u^2 of square roots, and the largest of these.
+/// The error bounds of products, 9 u^2, quotients, 16 u^2, and square roots, 6 u^2; and the
+/// largest.
 inline constexpr double kDoubleDoubleProductError = 9 * 0x1p-106;
 inline constexpr double kDoubleDoubleQuotientError = 16 * 0x1p-106;
 inline constexpr double kDoubleDoubleRootError = 6 * 0x1p-106;
 inline constexpr double kDoubleDoubleError = kDoubleDoubleQuotientError;
-/// Exceeds the loss by underflow in one operation (a few times 2^-1075). Nothing underflows where
-/// operands and result are at least this large: their last bits are at most 2^-107 of them.
+/// Exceeds the loss by underflow in one operation, a few times 2^-1075. If operands and result are
+/// at least this large, nothing underflows, since their last bits are at least about 2^-107 of
+/// them.
 inline constexpr double kDoubleDoubleUnderflow = 0x1p-900;
 
 inline double DoubleDouble::underflow_of(double x) {
@@ -118,7 +121,7 @@ inline double DoubleDouble::underflow_of_radius(double radius) {
   return radius == 0 ? 0 : std::numeric_limits<double>::min();
 }
 
-/// The errors of the two sums of low parts are known: exact sums stay exact.
+/// The errors of the two sums of low parts are computed, so that exact sums stay exact.
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
   const auto high = DoubleDouble::two_sum(a.high_, b.high_);
   const auto low = DoubleDouble::two_sum(a.low_, b.low_);
@@ -141,7 +144,7 @@ N remainder_of_quotient(const N& of_high, const N& a_low, const N& q, const N& b
   return (of_high + a_low) - q * b_low;
 }
 /// The remainder a - h^2, with h the rounded root of the high part, given the remainder of the high
-/// part; and the correction to h that follows from it.
+/// part; and the correction to h from the remainder.
 template <class N>
 N remainder_of_root(const N& of_high, const N& a_low) {
   return of_high + a_low;
@@ -151,16 +154,16 @@ N rest_of_root(const N& remainder, const N& h) {
   return remainder / (N(2) * h);
 }
 
-/// A product of two doubles is exact. Else, with |low| <= u |high| and in units of
-/// u^2 |a.high b.high|: the omitted a.low b.low is 1; the roundings of two products are 1
-/// each; of their sum, below 2u, 2; of r, below 3u, 3.
+/// A product of two doubles is exact. Otherwise |low| <= u |high|. In units of u^2 |a.high b.high|,
+/// the omitted a.low b.low is 1, the roundings of two products are 1 each, the rounding of their
+/// sum, which is below 2u, is 2, and that of r, which is below 3u, is 3.
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const double p = a.high_ * b.high_;
   const double error = std::fma(a.high_, b.high_, -p);
   const double r = rest_of_product(error, a.high_, a.low_, b.high_, b.low_);
   const bool is_exact = a.low_ == 0 && b.low_ == 0;
   const double rounding = is_exact ? 0 : kDoubleDoubleProductError * std::abs(p);
-  if (a.radius_ == 0 && b.radius_ == 0) {  // as where inputs are multiplied
+  if (a.radius_ == 0 && b.radius_ == 0) {  // for example two inputs
     const double underflow = a.high_ == 0 || b.high_ == 0 ? 0 : DoubleDouble::underflow_of(p);
     return {DoubleDouble::two_sum(p, r), DoubleDouble::up(rounding + underflow)};
   }
@@ -174,10 +177,11 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 }
 
 /// a/b = q + (a - q b)/b. The remainder a.high - q b.high, below u |a.high|, is exact, and so is a
-/// quotient of doubles that leaves none. Else, in units of u^2 |q|: the rounding of its sum with
-/// a.low, below 2u, is 2; of q b.low 1; of their difference, below 3u, 3; of the last quotient 3;
-/// and dividing by b.high for b, 3.
-/// Operands carry |a'/b' - a/b| <= (a.radius + |a/b| b.radius)/(|b| - b.radius).
+/// quotient of doubles without a remainder. Otherwise, in units of u^2 |q|, the rounding of the
+/// remainder's sum with a.low, which is below 2u, is 2, that of q b.low 1, that of their
+/// difference, which is below 3u, 3, and that of the last quotient 3; dividing by b.high instead of
+/// b adds 3. The radii of the operands add |a'/b' - a/b| <= (a.radius + |a/b| b.radius)/(|b| -
+/// b.radius).
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double q = a.high_ / b.high_;
   const double remainder = remainder_of_quotient(std::fma(-q, b.high_, a.high_), a.low_, q, b.low_);
@@ -196,11 +200,11 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 }
 
 /// sqrt(a) = h + (a - h^2)/(sqrt(a) + h). The remainder a.high - h^2, below 2u h^2, is exact, and
-/// so is the root of a double that leaves none. Else, in units of u^2 h: the rounding of its sum
-/// with a.low, below 3u h^2, is 1.5; of the quotient 1.5; and dividing by 2h for sqrt(a) + h, 1.2;
-/// in all less than 6, with higher orders.
-/// The operand carries |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a); the root of a negative centre is
-/// NaN.
+/// so is the root of a double without a remainder. Otherwise, in units of u^2 h, the rounding of
+/// the remainder's sum with a.low, which is below 3u h^2, is 1.5, and that of the quotient 1.5;
+/// dividing by 2h instead of sqrt(a) + h adds 1.2. Together, with higher orders, this is less
+/// than 6. The radius of the operand adds |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a). The root of a
+/// negative centre is NaN.
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.is_exact_zero()) return a;
   const double h = std::sqrt(a.high_);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The formulas of reference/error_measure.h and reference/ray_error.h over number types, and the
-// stage of double-doubles that comes before balls. Internal to reference/.
+// The formulas of reference/error_measure.h and reference/ray_error.h for all number types, and the
+// stage of double-doubles before that of balls. Internal to reference/.
 
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ Number relative_distance(const Triple<Number>& given, const Triple<Number>& exac
   return norm(given - exact) / norm(exact);
 }
 
-/// The tangent of the angle between two directions, the exact one unit, whose cosine is given.
+/// The tangent of the angle between two directions. The exact one is unit; the cosine is given.
 template <class Number>
 Number tangent(const Triple<Number>& given, const Triple<Number>& exact, const Number& cosine) {
   return norm(cross(given, exact)) / cosine;
@@ -48,11 +48,11 @@ Triple<DoubleDouble> in_double_doubles(const Given& given) {
   return {DoubleDouble(given.x), DoubleDouble(given.y), DoubleDouble(given.z)};
 }
 
-/// An error from double-doubles is used if the relative width of its enclosure is at most this: the
-/// bound is then too large by at most twice that.
+/// An error from double-doubles is used if the relative width of its enclosure is at most this. The
+/// bound is then too large by at most twice this share.
 inline constexpr double kErrorWidth = 0x1p-30;
 
-/// An upper bound of an error >= 0, in multiples of 2^exponent; empty if its enclosure is too wide.
+/// An upper bound on an error >= 0, in multiples of 2^exponent; empty if its enclosure is too wide.
 inline std::optional<double> narrow_error(const DoubleDouble& error, int exponent) {
   const double upper = error.upper();
   const double bound = std::ldexp(upper, -exponent);
@@ -60,7 +60,7 @@ inline std::optional<double> narrow_error(const DoubleDouble& error, int exponen
   return is_narrow && std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
-/// The same in u of doubles.
+/// An upper bound on an error >= 0, in u of doubles; empty if its enclosure is too wide.
 inline std::optional<scene::Measured> narrow_error_in_u(const DoubleDouble& error) {
   const auto bound = narrow_error(error, -std::numeric_limits<double>::digits);
   return bound ? std::optional(scene::Measured{*bound}) : std::nullopt;

@@ -1,8 +1,8 @@
 #pragma once
 
-// The formulas of cameras, rays and spheres, written once over a CGAL kernel K and instantiated
-// with the kernels of reference/internal/kernels.h, the differentiating ones of
-// reference/account/internal/condition_impl.h and the symbolic one of
+// The formulas of cameras, rays and spheres, as templates over a CGAL kernel K. They are
+// instantiated with the kernels of reference/internal/kernels.h, the differentiating kernels of
+// reference/account/internal/condition_impl.h and the symbolic kernel of
 // reference/account/closed_form.cpp. Internal to reference/.
 
 #include <cstdint>
@@ -55,8 +55,8 @@ struct Axes {
   typename K::Vector_3 U, V, W;
 };
 
-/// W = (E - A)/|E - A|, U = (up x W)/|up x W|, V = W x U. With w = E - A and u = up x w, the only
-/// square roots are |w| and |u|, both of rationals: up x W is u/|w|, and the |w| cancels in U.
+/// W = (E - A)/|E - A|, U = (up x W)/|up x W|, V = W x U. Let w = E - A and u = up x w. The only
+/// square roots are |w| and |u|, both of rationals, since up x W = u/|w|, and |w| cancels in U.
 template <class K>
 Axes<K> camera_axes(const CameraInputs<K>& camera) {
   const typename K::Vector_3 w = camera.eye - camera.look_at;
@@ -79,14 +79,14 @@ CameraNumbers<typename Lift::Kernel> camera_numbers(const Lift& lift, const scen
   return {inputs, camera_axes(inputs)};
 }
 
-/// A pixel's place along one side of the image: its index, of how many.
+/// A pixel's index along one side of the image, and the number of pixels there.
 struct PixelIndex {
   std::int64_t index;
   std::int64_t count;
 };
 
 /// low + index/(count-1) (high - low), or low + (index+1/2)/count (high - low). Multiplying before
-/// dividing makes the enclosure exact wherever the coordinate is dyadic, 0 above all.
+/// dividing makes the enclosure of a dyadic coordinate exact; 0 is the most important case.
 template <class FT, class Lift>
 FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, PixelIndex at,
                     scene::Samples samples) {
@@ -124,15 +124,16 @@ typename K::Vector_3 to_pixel_point(const typename K::FT& n,
   return n * axes.W + position.alpha * axes.U + position.beta * axes.V;
 }
 
-/// The line base + lambda g, with a = |g|^2. From a camera, base = E and g = n W + alpha U + beta
-/// V, so that lambda = 1 is the pixel point P; a = l^2 needs no axes, since they are orthonormal.
+/// The line base + lambda g, with a = |g|^2. For a camera, base = E and g = n W + alpha U + beta V,
+/// so that lambda = 1 is the pixel point P; a = l^2 does not depend on the axes, which are
+/// orthonormal.
 template <class K>
 struct Line {
   typename K::Vector_3 base;
   typename K::Vector_3 g;
   typename K::FT a;
-  bool starts_at_g;  ///< The ray's origin is base + g (a pixel ray) instead of base.
-  bool is_unit;      ///< The ray's direction is g/|g| (a camera's ray) instead of g.
+  bool starts_at_g;  ///< The ray's origin is base + g (rays from pixels), not base.
+  bool is_unit;      ///< The ray's direction is g/|g| (a camera's rays), not g.
 };
 
 template <class K, class Lift>
@@ -169,37 +170,36 @@ typename K::Vector_3 to_centre(const LineAndSphere<K>& pair) {
   return pair.line.starts_at_g ? typename K::Vector_3(pair.f - pair.line.g) : pair.f;
 }
 
-/// The ray meets the sphere at the roots mu of a mu^2 - 2 b mu + c = 0 (L + mu g on the sphere).
-/// b = T.g
+/// b = T.g. The points L + mu g on the sphere are those at the roots mu of a mu^2 - 2 b mu + c = 0.
 template <class K>
 typename K::FT linear_coefficient(const LineAndSphere<K>& pair) {
   return to_centre(pair) * pair.line.g;
 }
 
-/// c = |T|^2 - r^2: negative inside the sphere.
+/// c = |T|^2 - r^2; negative if L is inside the sphere.
 template <class K>
 typename K::FT constant_coefficient(const LineAndSphere<K>& pair) {
   const typename K::Vector_3 t = to_centre(pair);
   return typename K::FT(t * t) - pair.radius * pair.radius;
 }
 
-/// b^2 - a c, by Lagrange's identity a r^2 - |f x g|^2, which does not cancel for far spheres and
-/// is the same wherever on the line the ray starts.
+/// b^2 - a c, computed by Lagrange's identity as a r^2 - |f x g|^2, which does not cancel for far
+/// spheres and does not depend on the ray's origin on the line.
 template <class K>
 typename K::FT discriminant(const LineAndSphere<K>& pair) {
   const typename K::Vector_3 moment = CGAL::cross_product(pair.f, pair.line.g);
   return pair.line.a * pair.radius * pair.radius - typename K::FT(moment * moment);
 }
 
-// A ray's values, where numbers have square roots.
+// A ray's values, for numbers that have square roots.
 
-/// The ray's origin: P, or E, or a given ray's own.
+/// The ray's origin: P or E, or a given ray's origin.
 template <class K>
 typename K::Vector_3 ray_origin(const Line<K>& line) {
   return line.starts_at_g ? typename K::Vector_3(line.base + line.g) : line.base;
 }
 
-/// |g|: l = |P - E| of a camera's ray.
+/// |g|; for a camera's ray, l = |P - E|.
 template <class K>
 typename K::FT ray_length(const Line<K>& line) {
   using CGAL::sqrt;
@@ -224,7 +224,7 @@ typename K::FT half_chord_sq(const LineAndSphere<K>& pair) {
   return discriminant(pair) / pair.line.a;
 }
 
-/// middle -+ sqrt(half_sq), by the root's sign; a tangent's is 0.
+/// middle + sign sqrt(half_sq); the sign of a tangent is 0.
 template <class FT>
 FT root_of(const FT& middle, const FT& half_sq, int root_sign) {
   using CGAL::sqrt;
@@ -238,7 +238,7 @@ typename K::FT scaled_distance(const LineAndSphere<K>& pair, int root_sign) {
   return root_of(linear_coefficient(pair), discriminant(pair), root_sign);
 }
 
-/// s: v -+ d of a camera's ray, (v -+ d)/|g| of a given one.
+/// s: v -+ d for a camera's ray, (v -+ d)/|g| for a given ray.
 template <class K>
 typename K::FT ray_parameter(const LineAndSphere<K>& pair, int root_sign) {
   const typename K::FT numerator = scaled_distance(pair, root_sign);

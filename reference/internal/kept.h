@@ -8,9 +8,9 @@
 
 namespace raycheck::reference {
 
-/// Keeps the value that the first caller computes. `compute` must give the same value every time:
-/// threads that call while the first is still writing compute their own instead of waiting. Thread
-/// safety: get() and copying from may run in several threads at once.
+/// Keeps the value that the first caller computes. `compute` must give the same value every time,
+/// since threads that call get() while the first is still writing compute the value again instead
+/// of waiting. Thread safety: get() and copying from an object may run in several threads at once.
 template <class T>
 class Kept {
  public:
@@ -40,10 +40,10 @@ class Kept {
  private:
   enum class State : unsigned char { kEmpty, kBeingWritten, kReady };
   mutable std::atomic<State> state_{State::kEmpty};
-  mutable T value_;  ///< Read only when ready.
+  mutable T value_;  ///< Read only after it is ready.
 };
 
-/// A large value, computed by the first thread that needs it; others wait.
+/// A large value, computed by the first thread that needs it. Other threads wait.
 template <class T>
 class OnDemand {
  public:

@@ -5,7 +5,8 @@ namespace {
 
 int exact_sign(const Rational& value) { return value.sign(); }
 
-/// The sign of a0 + a1 sqrt(x): if the terms have opposite signs, the larger square wins.
+/// The sign of a0 + a1 sqrt(x). If the terms have opposite signs, it is that of the term with the
+/// larger square.
 template <class Number, class Radicand>
 int sign_of_sum(const Number& a0, const Number& a1, const Radicand& x);
 
@@ -62,7 +63,7 @@ std::optional<int> sign_of_radical_sum(const ExactNumber& p, const ExactNumber& 
   const int first = sign_of_sum(p, q, x);
   const int second = exact_sign(y) == 0 ? 0 : exact_sign(r);
   if (first * second >= 0) return first != 0 ? first : second;
-  // (p + q sqrt(x))^2 - r^2 y is again of the form a0 + a1 sqrt(x).
+  // (p + q sqrt(x))^2 - r^2 y has the form a0 + a1 sqrt(x), too.
   const ExactNumber a0 = p * p + q * q * x - r * r * y;
   const ExactNumber a1 = ExactNumber(2) * p * q;
   return first * sign_of_sum(a0, a1, x);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The number types under which the formulas of reference/internal/formulas.h are instantiated.
-// Internal to reference/: it brings in CGAL.
+// The number types with which the formulas of reference/internal/formulas.h are instantiated.
+// Internal to reference/, since it includes CGAL.
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Simple_cartesian.h>
@@ -18,27 +18,28 @@
 
 namespace raycheck::reference {
 
-/// The filter: doubles with directed rounding. Valid only while an IntervalGuard lives.
+/// The first stage: doubles with directed rounding. Valid only while an IntervalGuard lives.
 using Interval = CGAL::Interval_nt<false>;
 using IntervalGuard = CGAL::Protect_FPU_rounding<true>;
 using IntervalKernel = CGAL::Simple_cartesian<Interval>;
 
-/// Between intervals and balls: double-doubles. Valid only while a NearestGuard lives, which makes
-/// doubles round to nearest whatever the caller's rounding mode is.
+/// The stage between intervals and balls: double-doubles. Valid only while a NearestGuard lives,
+/// which makes doubles round to nearest in every rounding mode of the caller.
 using DoubleDoubleKernel = CGAL::Simple_cartesian<DoubleDouble>;
 class NearestGuard : CGAL::Protect_FPU_rounding<true> {
  public:
   NearestGuard() : Protect_FPU_rounding(CGAL_FE_TONEAREST) {}
 };
 
-// Sanitizers' code is too large to be compiled as one function.
+// With sanitizers, the code would be too large for one function.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define RAYCHECK_FLATTEN
 #else
 #define RAYCHECK_FLATTEN gnu::flatten,
 #endif
 
-// f(). Separate functions, so that no operation moves to where doubles round upward.
+// Call f(). They are separate functions, so that the compiler moves no operation to where doubles
+// round upward.
 template <class F>
 [[RAYCHECK_FLATTEN gnu::noinline]] auto called(const F& f) {
   return f();
@@ -54,7 +55,7 @@ inline const bool has_fma = [] {
 }();
 #endif
 
-/// f() by double-doubles, with fused multiply-adds where the processor has them.
+/// Calls f(), which computes in double-doubles, with fused multiply-adds if the processor has them.
 template <class F>
 auto by_double_doubles(const F& f) {
   const NearestGuard guard;
@@ -66,8 +67,9 @@ auto by_double_doubles(const F& f) {
 
 using EnclosureKernel = CGAL::Simple_cartesian<Enclosure>;
 
-/// The exact field Q(sqrt |w|^2, sqrt |u|^2): rationals with two square roots adjoined in turn.
-/// Rationals are values (no shared reference counts), so that objects may be read from any thread.
+/// The exact field Q(|w|, |u|), w = E - A, u = up x w: rationals with the square roots of |w|^2 and
+/// |u|^2, adjoined one after the other. Rationals are values (without shared reference counts), so
+/// that objects may be read from any thread.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
 using Integer =
@@ -76,7 +78,8 @@ using FirstExtension = CGAL::Sqrt_extension<Rational, Rational>;
 using ExactNumber = CGAL::Sqrt_extension<FirstExtension, Rational>;
 using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
 
-// How a double, an input or a constant of a formula, becomes a number of each kind, exactly.
+// Lifts: they make numbers of each kind from doubles, exactly. A double is an input or a constant
+// of a formula.
 template <class Number>
 struct PlainLift {
   using Kernel = CGAL::Simple_cartesian<Number>;
@@ -88,7 +91,7 @@ using DoubleDoubleLift = PlainLift<DoubleDouble>;
 struct EnclosureLift {
   using Kernel = EnclosureKernel;
   int bits;
-  double relative_change = 0;  ///< Each input is known only up to this relative change.
+  double relative_change = 0;  ///< Inputs become all numbers within this relative change.
   Enclosure operator()(double value) const {
     return Enclosure::within(value, relative_change, bits);
   }
@@ -102,14 +105,14 @@ struct ExactLift {
   ExactNumber constant(double value) const { return (*this)(value); }
 };
 
-/// A count of pixels or an index, exactly: they are below 2^31 (scene::kMostPixelsAcross).
+/// A number of pixels or an index, exactly, since they are below 2^31 (scene::kMostPixelsAcross).
 template <class Lift>
 auto lift_count(const Lift& lift, std::int64_t count) {
   return lift.constant(static_cast<double>(count));
 }
 
-// The two square roots that a camera adjoins. Approximate number types evaluate them; in the exact
-// field they are the generators (or rationals, where the radicand is a perfect square).
+// The two square roots of a camera's field. Approximate number types evaluate them. In the exact
+// field they are the generators, or rationals if the radicand is a perfect square.
 inline Interval first_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
 inline Interval second_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
 inline DoubleDouble first_root(const DoubleDouble& radicand) { return sqrt(radicand); }
@@ -119,7 +122,7 @@ inline Enclosure second_root(const Enclosure& radicand) { return sqrt(radicand);
 ExactNumber first_root(const ExactNumber& rational);
 ExactNumber second_root(const ExactNumber& rational);
 
-// The sign, where it is certain.
+// The sign; empty if it is not certain.
 inline std::optional<int> certain_sign(const Interval& value) {
   if (value.inf() > 0) return 1;
   if (value.sup() < 0) return -1;
@@ -130,7 +133,7 @@ inline std::optional<int> certain_sign(const DoubleDouble& value) { return value
 inline std::optional<int> certain_sign(const Enclosure& value) { return value.certain_sign(); }
 std::optional<int> certain_sign(const ExactNumber& value);
 
-/// The sign of p + q sqrt(x) + r sqrt(y) for x, y >= 0, where it is certain.
+/// The sign of p + q sqrt(x) + r sqrt(y) for x, y >= 0; empty if it is not certain.
 template <class Approximate>
 std::optional<int> sign_of_radical_sum(const Approximate& p, const Approximate& q,
                                        const Approximate& x, const Approximate& r,
@@ -138,7 +141,7 @@ std::optional<int> sign_of_radical_sum(const Approximate& p, const Approximate& 
   using CGAL::sqrt;
   return certain_sign(p + q * sqrt(x) + r * sqrt(y));
 }
-/// In the field by squaring: no root is ever evaluated.
+/// In the field the sign is found by squaring, without evaluating a root.
 std::optional<int> sign_of_radical_sum(const ExactNumber& p, const ExactNumber& q,
                                        const ExactNumber& x, const ExactNumber& r,
                                        const ExactNumber& y);

@@ -8,13 +8,13 @@
 
 namespace raycheck::reference {
 
-/// Of the root of a discriminant: 0 for a tangent, whose two roots are one.
+/// The sign of the root of the discriminant; 0 for a tangent, whose two roots are equal.
 inline int root_sign(const Intersection& intersection) {
   if (intersection.hit_class == HitClass::kTangent) return 0;
   return intersection.root == WhichRoot::kSmaller ? -1 : 1;
 }
 
-// use(camera) under each kernel, as it is kept, or with every input lifted anew.
+// Call use(camera) with the camera of each kernel, which is kept or lifted again.
 template <class Lift, class Use>
 auto with_numbers(const Lift& lift, const ExactCamera::Impl& camera, Use use) {
   return use(camera_numbers(lift, camera.camera));
@@ -36,12 +36,11 @@ auto with_numbers(const ExactLift& /*lift*/, const ExactCamera::Impl& camera, Us
   return use(camera.exact());
 }
 
-/// E, or a given ray's own origin.
 inline const scene::Point3& base_of(const ExactRay::Source& source) {
   return source.camera != nullptr ? source.camera->camera.eye : source.given.origin;
 }
 
-/// The line of a ray: through a camera's pixel, or given.
+/// The line of a ray, through a camera's pixel or given.
 template <class Lift>
 Line<typename Lift::Kernel> line_of(const Lift& lift, const ExactRay::Source& source) {
   if (source.camera == nullptr) return given_line(lift_ray(lift, source.given));
@@ -51,7 +50,7 @@ Line<typename Lift::Kernel> line_of(const Lift& lift, const ExactRay::Source& so
   });
 }
 
-/// The same, as the ray caches it.
+/// The line of a ray in double-doubles, which the ray caches.
 inline Line<DoubleDoubleKernel> line_in_double_doubles(const ExactRay& ray) {
   const ExactRay::Source& source = ray.source();
   if (source.camera == nullptr) return given_line(lift_ray(DoubleDoubleLift{}, source.given));

@@ -16,9 +16,9 @@ namespace raycheck::reference {
 
 inline constexpr int kFirstBits = 128;
 
-/// Narrows a first `enclosure`, about as narrow as enclose(kFirstBits), to relative width
-/// 2^-relative_bits. Refining an enclosure of 0 would never end, so zero is decided by `compare`,
-/// the exact sign of x - rational.
+/// Narrows a first `enclosure`, about as narrow as enclose(kFirstBits), to the relative width
+/// 2^-relative_bits. For x = 0 this would never end, so that `compare`, the exact sign of x -
+/// rational, decides whether x is 0.
 template <class Enclose, class Compare>
 Enclosure narrow(Enclosure enclosure, int relative_bits, Enclose enclose, Compare compare) {
   bool known_nonzero = false;
@@ -66,8 +66,9 @@ double round_to_nearest(Enclosure enclosure, Enclose enclose, Compare compare) {
   }
 }
 
-/// The float nearest to x, ties to even, from the double nearest to x. If that is not a midpoint of
-/// two floats, x is on the same side of all midpoints (all are doubles); else `compare` decides.
+/// The float nearest to x, ties to even, from the double nearest to x. Midpoints of two floats are
+/// doubles. If the nearest double is not such a midpoint, it is on the same side of all midpoints
+/// as x; otherwise `compare` decides.
 template <class Compare>
 double round_to_single(double nearest, Compare compare) {
   constexpr auto kSingle = scene::Precision::kSingle;
@@ -83,8 +84,8 @@ double round_to_single(double nearest, Compare compare) {
   return side == 0 || (side > 0) == (rounded > nearest) ? rounded : other;
 }
 
-// Narrow and Round turn a first enclosure, a function for narrower ones and the exact comparison
-// into a value; the first one must be as narrow as relative_bits.
+// Narrow and Round compute a value from a first enclosure, a function for narrower enclosures and
+// the exact comparison. The relative width of the first enclosure must be 2^-relative_bits.
 
 struct Narrow {
   int relative_bits;
@@ -97,13 +98,13 @@ struct Narrow {
 
 struct Round {
   scene::Precision precision;
-  static constexpr int relative_bits = 70;  ///< Leaves few values undecided.
+  static constexpr int relative_bits = 70;  ///< Enough to round nearly all values.
 
   template <class Enclose, class Compare>
   double operator()(Enclosure first, Enclose enclose, Compare compare) const {
     return (*this)(round_to_nearest(std::move(first), enclose, compare), compare);
   }
-  /// From the double nearest to it.
+  /// Rounds a number, given the double nearest to it.
   template <class Compare>
   double operator()(double nearest, Compare compare) const {
     return precision == scene::Precision::kDouble ? nearest : round_to_single(nearest, compare);

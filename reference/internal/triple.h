@@ -2,7 +2,6 @@
 
 namespace raycheck::reference {
 
-/// A point or vector by coordinates of a number type, and its algebra.
 template <class Number>
 struct Triple {
   Number x;

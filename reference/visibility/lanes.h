@@ -1,13 +1,13 @@
-// The numbers of the filter of certified visibility: doubles side by side, and double-doubles side
-// by side. Internal to reference/. Compiled once for each of Highway's targets, hence the guard.
+// The numbers of the filter of certified visibility: vectors of doubles and of double-doubles.
+// Internal to reference/. Compiled once for each of Highway's targets, hence the guard.
 //
-// Every operation of double-doubles is within kDoubleDoubleError, 16 u^2, of its exact result while
-// nothing over- or underflows. Their sums are AccurateDWPlusDW (3 u^2/(1 - 4 u)), products
-// DWTimesDW3 (4 u^2) of M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for
-// basic building blocks of double-word arithmetic, 2017, where products are fused; where not, five
-// roundings of numbers below u, 2u, 2u, 3u times |x y| take 8 u^2 at most. Roots are SQRTDWtoDW
-// (25/8 u^2) of V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, Accurate calculation of
-// Euclidean norms using double-word arithmetic, 2023.
+// Every operation of double-doubles is within kDoubleDoubleError, 16 u^2, of its exact result
+// unless something over- or underflows. Sums are AccurateDWPlusDW (3 u^2/(1 - 4 u)), and fused
+// products are DWTimesDW3 (4 u^2), of M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error
+// bounds for basic building blocks of double-word arithmetic, 2017. In products that are not fused,
+// five roundings of numbers below u, 2u, 2u, 3u times |x y| add up to at most 8 u^2. Roots are
+// SQRTDWtoDW (25/8 u^2) of V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, Accurate
+// calculation of Euclidean norms using double-word arithmetic, 2023.
 
 #if defined(RAYCHECK_REFERENCE_VISIBILITY_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_REFERENCE_VISIBILITY_LANES_H_
@@ -39,7 +39,7 @@ HWY_INLINE Lanes sub_mul(Lanes x, Lanes y, Lanes z) {
 }
 /// x times a power of two, or 0.
 HWY_INLINE Lanes scaled(Lanes x, V factor) { return {hn::Mul(x.high, factor)}; }
-/// 0 where not `wanted`.
+/// The square root in lanes that are `wanted`, 0 in the others.
 HWY_INLINE Lanes root_where(M wanted, Lanes x) {
   return {hn::Sqrt(hn::IfThenElseZero(wanted, x.high))};
 }
@@ -47,25 +47,25 @@ HWY_INLINE Lanes select(M condition, Lanes yes, Lanes no) {
   return {hn::IfThenElse(condition, yes.high, no.high)};
 }
 
-/// high + low, of which `high` is the nearest double.
+/// high + low, where `high` is the double nearest to the sum.
 struct PairLanes {
   V high, low;
 };
 
-/// x + y, exactly (Knuth).
+/// x + y exactly (Knuth).
 HWY_INLINE PairLanes two_sum(V x, V y) {
   const V sum = hn::Add(x, y);
   const V of_y = hn::Sub(sum, x);
   return {sum, hn::Add(hn::Sub(x, hn::Sub(sum, of_y)), hn::Sub(y, of_y))};
 }
-/// The same for |x| >= |y| (Dekker).
+/// x + y exactly, for |x| >= |y| (Dekker).
 HWY_INLINE PairLanes ordered_sum(V x, V y) {
   const V sum = hn::Add(x, y);
   return {sum, hn::Sub(y, hn::Sub(sum, x))};
 }
 
 #if !HWY_NATIVE_FMA
-/// x as two numbers of 26 bits (Veltkamp).
+/// x as the sum of two numbers of 26 bits (Veltkamp).
 HWY_INLINE PairLanes halves(V x) {
   const V scaled = hn::Mul(x, hn::Set(D(), 0x1p27 + 1));
   const V high = hn::Sub(scaled, hn::Sub(scaled, x));
@@ -73,7 +73,7 @@ HWY_INLINE PairLanes halves(V x) {
 }
 #endif
 
-/// x y, exactly unless it underflows.
+/// x y exactly, unless it underflows.
 HWY_INLINE PairLanes two_product(V x, V y) {
   const V product = hn::Mul(x, y);
 #if HWY_NATIVE_FMA

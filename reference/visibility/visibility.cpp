@@ -20,7 +20,7 @@ static_assert(Visibility::kBandRows == Tile::kHeight);
 
 namespace {
 
-/// Lengths below 2^this, their sums and differences are in the range of doubles.
+/// Lengths below 2^kLargestExponent, and their sums and differences, are in the range of doubles.
 constexpr int kLargestExponent = 1000;
 
 /// Whether a length that was divided by 2^exponent is below 2^kLargestExponent.
@@ -28,8 +28,8 @@ bool fits(double length, int exponent) {
   return length == 0 || (std::isfinite(length) && std::ilogb(length) + exponent < kLargestExponent);
 }
 
-/// A sphere by the bits of its distance, which order floats >= 0 like their values, and the bands
-/// that it reaches.
+/// A sphere, its distance and the bands that it reaches. The distance is kept as the bits of a
+/// float, which are in the same order as floats >= 0.
 struct NearFirst {
   std::uint32_t distance, sphere;
   Blocks bands;
@@ -123,7 +123,7 @@ FilteredSphere Visibility::Impl::filtered_of(const scene::SpherePlan& planned,
   const bool answers_fit =
       fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, plan.eye.scaling().lengths);
   sphere.exact = sphere.exact || !scales_fit || !answers_fit || !plan.items.filter ||
-                 !plan.conventions.valid.is_usual();  // the filter takes every root >= 0
+                 !plan.conventions.valid.is_usual();  // the filter accepts every root >= 0
   return sphere;
 }
 
@@ -153,8 +153,8 @@ void Visibility::Impl::require_few_parts() const {
                               std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
 }
 
-/// Each reach has enough spheres to cover the image several times as often as the one before, as
-/// estimated from a sample.
+/// The spheres of each reach cover the image several times as often as those of the reach before.
+/// The estimate is from a sample of spheres.
 void Visibility::Impl::set_reaches() {
   constexpr std::size_t kSamples = 4096;
   constexpr double kTimesOver = 32, kGrowth = 4;

@@ -11,10 +11,10 @@ using scene::Bounds;
 
 double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
-/// The form by h takes longer: it is used where its bound is below this share of the other.
+/// The form with h takes longer, and is used if its bound is below this share of the other form's.
 constexpr double kMomentGain = 0.25;
 
-/// e of h = f x g.
+/// e, the bound on the error of h = f x g.
 double moment_error(const FilteredSphere& sphere, const PlaneSizes& sizes, double rho) {
   const double u = std::abs(sphere.u), v = std::abs(sphere.v), w = std::abs(sphere.w);
   const double N = sizes.N, X = sizes.X, Y = sizes.Y;

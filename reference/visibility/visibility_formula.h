@@ -1,8 +1,8 @@
-// The arithmetic of the filter of certified visibility, in any type of number that has mul_add(x,
-// y, z) = x y + z, mul_sub(x, y, z) = x y - z and sub_mul(x, y, z) = z - x y, each rounded once:
-// vectors of doubles, and the recording numbers of proofs/. Internal to reference/. The names
-// and the bound are those of visibility_kernel.h. Compiled once for each of Highway's targets,
-// hence the guard.
+// The formulas of the filter of certified visibility, for all number types that have mul_add(x, y,
+// z) = x y + z, mul_sub(x, y, z) = x y - z and sub_mul(x, y, z) = z - x y, each rounded once. These
+// are vectors of doubles, and the recording numbers of proofs/. visibility_kernel.h explains the
+// names and the bound. Internal to reference/. Compiled once for each of Highway's targets, hence
+// the guard.
 
 #if defined(RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::reference::HWY_NAMESPACE {
 
-/// The terms that the pixels of a row share; `N` doubles.
+/// The terms that the pixels of a row share.
 template <class N>
 struct RowTerms {
   N b;       ///< n w + beta v
@@ -56,7 +56,8 @@ HWY_INLINE Moment<N> moment_of(const N& alpha, const N& v, const N& w, const Row
   return {row.moment, mul_sub(alpha, w, row.n_u), sub_mul(alpha, v, row.beta_u)};
 }
 
-/// r^2 a - |f x g|^2, the same number: where r is small beside |f|, nothing of its size cancels.
+/// r^2 a - |f x g|^2, which is equal to b^2 - c a. If r is much smaller than |f|, its terms do not
+/// cancel.
 template <class N>
 HWY_INLINE N discriminant_by_moment(const Moment<N>& moment, const N& a, const N& radius_sq) {
   const N two = mul_add(moment.second, moment.second, moment.first * moment.first);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The data that Visibility stores for a scene, and the loop over bands and tiles of its functions.
+// The data that Visibility stores for a scene, and the loop of its functions over bands and tiles.
 // Internal to reference/.
 
 #include <algorithm>
@@ -22,7 +22,8 @@
 
 namespace raycheck::reference {
 
-/// Lists by band (or tile) in one array: those of k are items[begin[k]] to items[begin[k + 1]].
+/// The lists of all bands (or tiles) in one array. List k has items[begin[k]] up to, but without,
+/// items[begin[k + 1]].
 struct Lists {
   std::vector<std::uint32_t> items;
   std::vector<std::size_t> begin;
@@ -32,7 +33,7 @@ struct Lists {
   }
 };
 
-/// Sorts `count` items into lists, in order; item(k) goes to lists first to last of places(k).
+/// Sorts `count` items into lists, in order; item(k) is added to the lists in places(k).
 template <class Places, class Item>
 void distribute(std::size_t count, std::size_t lists, const Places& places, const Item& item,
                 Lists& result) {
@@ -50,7 +51,7 @@ void distribute(std::size_t count, std::size_t lists, const Places& places, cons
   }
 }
 
-/// The first, and one past the last, of the blocks of this size that [begin, end) touches.
+/// The blocks of a given size that [begin, end) touches: the first, and one past the last.
 struct Blocks {
   std::uint32_t first = 0, last = 0;
 };
@@ -59,16 +60,17 @@ inline Blocks blocks(std::int64_t begin, std::int64_t end, int size) {
           static_cast<std::uint32_t>((end - 1) / size + 1)};
 }
 
-/// The sort key of spheres: their nearest distance, rounded down to 12 bits.
+/// The sort key of a sphere: its nearest distance as a float, rounded down, with the last
+/// kDistanceRounds bits cleared.
 float no_farther(double distance);
-inline constexpr int kDistanceRounds = 12;  ///< The low bits of a float that are cleared.
+inline constexpr int kDistanceRounds = 12;
 
 struct Visibility::Impl {
   Impl(scene::Scene its_scene, scene::ScenePlan its_plan);
 
-  /// The filter's view of a planned sphere.
+  /// A planned sphere as the filter stores it.
   FilteredSphere filtered_of(const scene::SpherePlan& planned, std::size_t index) const;
-  /// The filter's view in double-doubles, made when first needed; null where it is not used.
+  /// The camera in double-doubles, made when it is first needed; null if it is not used.
   const PairView* pair_view() const;
 
   scene::Scene scene;
@@ -76,23 +78,24 @@ struct Visibility::Impl {
   ExactCamera camera;
   std::int64_t width, height;
   PlaneSizes sizes;
-  std::vector<double> alpha, beta;  ///< alpha padded to whole tiles.
+  std::vector<double> alpha, beta;  ///< alpha is padded to whole tiles.
   double near;
   double start_factor;
   TileScale scale;
   double axis_doubt = 0;    ///< The largest half width of U, V, W in world coordinates.
-  bool scales_fit = false;  ///< Lengths stay in the range of doubles when they are unscaled.
-  /// Only for scenes of few spheres, which many tiles share: of many spheres most are never swept.
+  bool scales_fit = false;  ///< Lengths that are not scaled stay in the range of doubles.
+  /// The spheres as the filter stores them, only for scenes of few spheres, which many tiles share.
+  /// Of many spheres most are never swept.
   std::vector<FilteredSphere> kept;
-  /// The spheres that may be visible in each band, by nearest distance, with distances between the
-  /// end of the reach before and reach_end[reach]: of many spheres most are hidden, and are listed
-  /// only when needed.
+  /// The spheres that may be visible in each band, by nearest distance, from the end of the
+  /// previous reach to reach_end[reach]. Of many spheres most are hidden, so that a reach is listed
+  /// only when it is needed.
   const Lists& bands(std::size_t reach) const;
   static constexpr std::size_t kReaches = 6;
-  std::array<double, kReaches> reach_end{};  ///< The last, or one before, is infinite.
+  std::array<double, kReaches> reach_end{};  ///< Infinite from some element on.
 
   std::size_t band_count() const { return static_cast<std::size_t>((height - 1) / kBandRows + 1); }
-  /// In a band.
+  /// The number of tiles in a band.
   std::size_t tile_count() const {
     return static_cast<std::size_t>((width - 1) / Tile::kWidth + 1);
   }
@@ -108,14 +111,14 @@ struct Visibility::Impl {
   Blocks bands_of(std::size_t sphere) const;
 
   void set_plane();
-  /// Throws std::invalid_argument for more than kMostVisibleParts.
+  /// Throws std::invalid_argument if the lists would have more than kMostVisibleParts entries.
   void require_few_parts() const;
   void set_reaches();
   /// Lists the spheres whose distance is in [from, to).
   Lists list_bands(double from, double to) const;
 };
 
-/// Some rows of the image, as bands of kBandRows rows and tiles of their columns.
+/// Some rows of the image, divided into bands of kBandRows rows, and these into tiles.
 class RowsInTiles {
  public:
   /// Throws std::invalid_argument if the image lacks these rows.
@@ -126,7 +129,7 @@ class RowsInTiles {
   /// pixel.
   void require_fit(std::size_t size) const;
 
-  /// Makes one band after the other the current one.
+  /// Calls body(band) for one band after the other, which is then the current band.
   template <class Body>
   void for_each_band(Body body) {
     for (std::int64_t j = j_begin_ / Visibility::kBandRows * Visibility::kBandRows; j < j_end_;
@@ -147,7 +150,7 @@ class RowsInTiles {
                                     first_column(tile));
   }
 
-  /// The wanted rows of the current band, counted from its first.
+  /// The wanted rows of the current band, counted from its first row.
   int row_begin() const { return row_begin_; }
   int row_end() const { return row_end_; }
   /// The wanted pixels of a tile.
@@ -168,7 +171,6 @@ class RowsInTiles {
   int row_begin_ = 0, row_end_ = 0;
 };
 
-// The functions of Visibility.
 DecidedBy nearest_of_rows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end,
                           const SeenRows& rows, Certified certified);
 DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std::int64_t j_begin,

@@ -43,7 +43,7 @@ HWY_INLINE void store_numerators(D d, PairLanes numerators, std::size_t at, Pair
   hn::Store(numerators.low, d, tile.rest.data() + at);
 }
 
-/// Whether any of the columns of one vector is wanted.
+/// Whether a column of the vector that begins at `column` is wanted.
 HWY_INLINE bool any_wanted(const Tile& /*tile*/, int /*row*/, int /*column*/) { return true; }
 HWY_INLINE bool any_wanted(const PairTile& tile, int row, int column) {
   const std::uint64_t from = tile.wanted[static_cast<std::size_t>(row)] >> column;
@@ -56,7 +56,7 @@ HWY_INLINE void mark_undecided(D d, M undecided, int row, int column, Tile& tile
   tile.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{bits[0]} << column;
 }
 
-/// A sphere's roots m = b -+ q on some lines, a = |g|^2, and which lines meet it, or may.
+/// A sphere's roots m = b -+ q on some lines, a = |g|^2, and the lines that meet it or may meet it.
 template <class N>
 struct Roots {
   N b, q, a;
@@ -64,7 +64,7 @@ struct Roots {
   M undecided;
 };
 
-/// The root that counts; whether the sphere is certainly met there, in front.
+/// The root that counts, and whether the sphere is certainly met there, in front.
 template <class N>
 struct Met {
   N numerator;
@@ -180,7 +180,7 @@ void leave_to_exact(const TileRectangle& pixels, Tile& tile) {
   }
 }
 
-/// Sweeps a sphere by its form of the discriminant (by_moment).
+/// Sweeps a sphere with its form of the discriminant (by_moment).
 template <Certified kCertified, Answer kAnswer>
 void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
                    Tile& tile) {
@@ -381,7 +381,7 @@ void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certifie
 double set_farthest(Tile& tile) { return HWY_DYNAMIC_DISPATCH(set_farthest)(tile); }
 
 double hidden_below(double distance, double margin, double least_length) {
-  // t l > m of all pixels: 2^-40 covers these roundings.
+  // For all pixels t l > m; 2^-40 covers the roundings here.
   return distance * least_length * (1 - 0x1p-40) - 2 * margin;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using scene::PixelRectangle;
 
-/// One call for some rows: the data that tiles share are computed once.
+/// One call for some rows. The data that tiles share are computed once.
 class NearestOfRows {
  public:
   NearestOfRows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)
@@ -71,8 +71,8 @@ class NearestOfRows {
     }
   }
 
-  /// Lists more of the band's spheres by their tiles: as many as were listed, and a few for each
-  /// tile. Where spheres are many, most are hidden in all tiles.
+  /// Lists more of the band's spheres by their tiles: as many as before, and a few for each tile.
+  /// Of many spheres, most are hidden in all tiles.
   void list_more() {
     if (left_.empty()) left_ = impl_.bands(++reach_).of(band_);
     const auto next = left_.first(
@@ -90,16 +90,16 @@ class NearestOfRows {
         [&](std::size_t k) { return next[k]; }, tiles_[parts_++]);
   }
   bool has_more() const { return !left_.empty() || std::isfinite(impl_.reach_end[reach_]); }
-  /// No sphere that is not listed yet is nearer to the eye.
+  /// A lower bound on the distance of the spheres that are not listed yet.
   double nearest_left() const {
     return left_.empty() ? impl_.reach_end[reach_] : no_farther_than(left_.front());
   }
   static constexpr std::size_t kListedForEach = 16, kListedAtLeast = 64;
 
-  /// The number of pixels swept between tests whether the remaining spheres are hidden.
+  /// After this number of swept pixels, tests whether the remaining spheres are hidden.
   static constexpr int kLookAfter = Tile::kPixels;
 
-  /// Lists the spheres that are swept over the tile: the others are hidden in every pixel.
+  /// Sweeps spheres over the tile, and lists them. The others are hidden in every pixel.
   void sweep_spheres(std::size_t tile, const TileRays& rays, Certified certified) {
     list_.clear();
     computed_.clear();
@@ -116,7 +116,7 @@ class NearestOfRows {
         for (int pixels = 0; k < in_tile.size() && pixels < kLookAfter; ++k) {
           const std::uint32_t index = in_tile[k];
           const TileRectangle within = at_.within_tile(impl_.plan.spheres[index].pixels, tile);
-          if (within.count() == 0) continue;  // in other rows of the band
+          if (within.count() == 0) continue;  // It is in other rows of the band.
           list_.push_back({&filtered(index), within, impl_.plan.nearest_distance[index]});
           pixels += within.count();
         }
@@ -143,7 +143,7 @@ class NearestOfRows {
     return computed_.emplace_back(impl_.filtered_of(again, index));
   }
 
-  /// Writes the tile; the exact ray decides pixels that the filter left undecided.
+  /// Writes the tile. The exact ray decides pixels that the filter left undecided.
   void finish(std::size_t tile, const TileRays& rays, Certified certified, DecidedBy& decided_by) {
     const TileRectangle wanted = at_.wanted_of(tile);
     const std::size_t at = at_.output_at(at_.row_begin(), tile);
@@ -181,21 +181,21 @@ class NearestOfRows {
     }
   }
 
-  /// Computes s and Q of the tile, wanted or not.
+  /// Computes s and Q of the tile, even if they are not wanted.
   void compute_all(const TileRays& rays, const TileRectangle& wanted) {
     double* const scratch = all_quantities_.data();
     finish_tile(tile_, wanted, rays, impl_.scale,
                 {nullptr, scratch, {scratch, scratch, scratch}, Tile::kWidth});
   }
 
-  // kVisibleParameterError. The filter's s and Q stay where, with kShare =
-  // kVisibleParameterError/2,
+  // Why s and Q are within kVisibleParameterError = 2 kShare. The filter's s and Q are kept if
   //   |m^ - m| <= E_m <= kShare m^, |g^ - g| <= 2 delta <= kShare/8 l, and, for Q, the axes are
   //   known to within kShare/32.
-  // t^ = m^/l^ is then off by less than (1 + 1/8) kShare t and a few roundings; l 2^plane, which is
-  // at most t of a hit in front, by kShare/8 of itself: s by less than 1.3 kShare t. Of Q - E =
-  // t (g/l), g/l is off by kShare/4 and, as a sum of three coordinates times axes, by 6/32 kShare:
-  // a coordinate by less than 1.6 kShare t; the sum with E is rounded.
+  // Then t^ = m^/l^ is off by less than (1 + 1/8) kShare t and a few roundings. l 2^plane, which is
+  // at most t for a hit in front, is off by kShare/8 of itself. Together s is off by less than 1.3
+  // kShare t. In Q - E = t (g/l), g/l is off by kShare/4 and, as a sum of three coordinates times
+  // axes, by 6/32 kShare. Together a coordinate is off by less than 1.6 kShare t; its sum with E is
+  // rounded.
   static constexpr double kShare = kVisibleParameterError / 2;
 
   bool wants_values() const { return !rows_.parameter.empty() || !rows_.point_x.empty(); }
@@ -205,7 +205,7 @@ class NearestOfRows {
            (rows_.point_x.empty() || impl_.axis_doubt <= kShare / 32);
   }
 
-  /// Leaves imprecise pixels undecided.
+  /// Marks pixels as undecided whose s or Q is not precise.
   void require_precise(bool is_plane_precise, double least, const TileRectangle& wanted) {
     if (!is_plane_precise) {
       for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
@@ -236,7 +236,7 @@ class NearestOfRows {
     }
   }
 
-  /// Sweeps spheres in double-doubles over the undecided pixels. Returns whether any is decided.
+  /// Sweeps spheres in double-doubles over the undecided pixels. Returns whether this decided one.
   bool decide_in_pairs(std::size_t tile, const TileRays& rays, DecidedBy& decided_by) {
     const PairView* const view = impl_.pair_view();
     if (view == nullptr) return false;
@@ -281,11 +281,12 @@ class NearestOfRows {
     return false;
   }
 
-  /// The number of pixels of a row that are tangent to the only sphere that they may meet. The
-  /// discriminant is quadratic in alpha: if it is 0 at three columns it is at all. Then (f.d)^2 = c
-  /// of every unit direction d in the plane of the row; f.d changes its sign from d to -d, so that
-  /// it is 0 somewhere between, and c is: the eye is on the sphere, and the lines of all rays touch
-  /// it there. Of the usual roots that is at s = 0 of focal rays, and behind all others.
+  /// The number of pixels of a row whose rays are tangent to the only sphere that they may meet.
+  /// The discriminant is quadratic in alpha; if it is 0 at three columns, it is 0 at all. Then
+  /// (f.d)^2 = c for every unit direction d in the plane of the row. f.d changes its sign from d to
+  /// -d, so that it is 0 for some d, and therefore c = 0: the eye is on the sphere, and the lines
+  /// of all rays touch the sphere there. This point is at s = 0 for focal rays, and behind the
+  /// origin of all other rays.
   struct RowTangent {
     std::size_t sphere = 0;
     int columns = 0;
@@ -330,7 +331,7 @@ class NearestOfRows {
       }
       return tangent.stage;
     }
-    std::sort(candidates_.begin(), candidates_.end());  // of ties the first in the file
+    std::sort(candidates_.begin(), candidates_.end());  // the first in the file wins a tie
     spheres_.clear();
     for (const std::size_t index : candidates_) spheres_.push_back(impl_.scene.spheres[index]);
     const ExactRay ray(impl_.camera, pixel);
@@ -358,14 +359,14 @@ class NearestOfRows {
   SeenRows rows_;
   Tile tile_;
   std::size_t band_ = 0, reach_ = 0;
-  /// The band's spheres of the reach that are not listed yet; and the others, `listed_`, by tile,
-  /// in `parts_` parts.
+  // The band's spheres of the reach: left_ are not listed yet; the other `listed_` spheres are in
+  // the first `parts_` of tiles_, by tile.
   std::span<const std::uint32_t> left_;
   std::vector<Lists> tiles_;
   std::size_t parts_ = 0, listed_ = 0;
   std::vector<Blocks> columns_;
   std::vector<SphereInTile> list_;
-  std::deque<FilteredSphere> computed_;  ///< The spheres of list_ that are not in `kept`.
+  std::deque<FilteredSphere> computed_;  ///< The spheres in list_ that are not in `kept`.
   PairTile pair_tile_;
   std::vector<FilteredSphereOf<Pair>> pair_spheres_;
   std::vector<SphereInTileOf<Pair>> pair_list_;

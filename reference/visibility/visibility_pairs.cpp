@@ -23,8 +23,8 @@ PairAxis::PairAxis(double low, double high, std::int64_t pixels, scene::Samples 
   }
 }
 
-/// `index step` is at most 2 `most`; a sum of DoubleDouble is rounded by a share of its larger
-/// operand.
+/// index * step is at most 2 * most. The rounding error of a sum of DoubleDouble is a share of its
+/// larger operand.
 double PairAxis::doubt() const {
   return kSlack * (first.radius() + count * step.radius() + 4 * kDoubleDoubleError * most);
 }

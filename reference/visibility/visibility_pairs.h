@@ -12,11 +12,11 @@
 
 namespace raycheck::reference {
 
-/// Columns or rows, as they are counted along the axis.
+/// The positions of columns or rows along an axis of the image plane.
 struct PairAxis {
   DoubleDouble first, step;  ///< position = first + index step
   double count;
-  double most;  ///< The largest magnitude of a position.
+  double most;  ///< The largest |position|.
 
   PairAxis(double low, double high, std::int64_t pixels, scene::Samples samples);
   /// The largest error of a computed position.
@@ -31,7 +31,8 @@ class PairView {
 
   const PlaneSizes& sizes() const { return sizes_; }
   FilteredSphereOf<Pair> sphere(const scene::Sphere& sphere, std::size_t index) const;
-  /// The rays of a tile, from these columns and rows on, whose rays in doubles are the same.
+  /// The rays of a tile in pairs, from the first column and row on; `same` has these rays in
+  /// doubles.
   PairRays rays(const TileRays& same, std::int64_t first_column, std::int64_t first_row) const;
 
  private:

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kSpace = " \t\v\f";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// One meaningful line of a driver file: a keyword and the words after it.
+/// A line of a driver file that is not empty: a keyword and the words after it.
 struct Entry {
   std::string keyword;
   std::vector<std::string> words;
@@ -27,8 +27,8 @@ struct Entry {
   std::string joined() const { return scene::joined(words, " "); }
 };
 
-/// The entries of a driver file, without its comments (from # to the end of a line), whatever its
-/// line endings.
+/// The entries of a driver file, without comments (from # to the end of a line). All forms of line
+/// ends are accepted.
 std::vector<Entry> driver_entries(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<Entry> entries;
@@ -109,7 +109,7 @@ class DriverReader {
       ++counted->second;
     } else if (!kOnce.contains(entry.keyword)) {
       warn_once(entry, "unknown keyword, ignored");
-      if (unknown_.size() < kFirstWords) unknown_.push_back(entry.keyword);
+      if (unknown_.size() < kFirstWords) unknown_.emplace_back(entry.keyword, entry.line);
     } else {
       const auto [earlier, is_new] = once_.try_emplace(entry.keyword, entry);
       if (is_new) return;
@@ -124,11 +124,13 @@ class DriverReader {
         once_.contains("bounds") || once_.contains("res")) {
       return;
     }
-    located_.fail(1, "first words", scene::joined(unknown_),
+    std::vector<std::string> words;
+    for (const auto& [keyword, line] : unknown_) words.push_back(keyword);
+    located_.fail(1, "first words", scene::joined(words),
                   "not a driver file; the name of a TOML file must end in .toml");
   }
 
-  /// Reads the words after a sphere's centre and radius: numbers are its material.
+  /// Reads the words after a sphere's centre and radius. Numbers there are the sphere's material.
   void take_material(const Entry& entry) {
     if (entry.words.size() <= kSphereNumbers) return;
     const bool are_numbers =
@@ -191,9 +193,9 @@ class DriverReader {
       put(field, required(keyword));
     }
     if (!find("d")) {
-      located_.fail(1, "d",
-                    "is missing; it places the image plane, and its sign tells dialect A (d > 0) "
-                    "from dialect B (d < 0)");
+      fail_missing("d",
+                   "; it places the image plane, and its sign distinguishes dialect A (d > 0) from "
+                   "dialect B (d < 0)");
     }
     view.push_back(numbers_of(required("d"), 1).front());
     put("near", required("d"));
@@ -205,7 +207,8 @@ class DriverReader {
     const Entry& entry = whole ? *whole : *find("d");
     const std::string value = whole ? entry.words[9] : entry.words[0];
     if (!(d > 0) && !(d < 0)) {
-      located_.fail(entry.line, "d", value, "must be above zero (dialect A) or below (B and C)");
+      located_.fail(entry.line, "d", value,
+                    "must be above 0 (dialect A) or below 0 (dialects B and C)");
     }
     if (whole && d > 0) located_.fail(entry.line, "d", value, "dialect C needs d < 0");
     const Dialect decided = whole ? Dialect::kC : d > 0 ? Dialect::kA : Dialect::kB;
@@ -231,14 +234,14 @@ class DriverReader {
     const Dialect other = dialect == Dialect::kA ? Dialect::kB : Dialect::kA;
     if (bounds.is_degenerate() && !bounds_of(numbers, other).is_degenerate()) {
       located_.fail(entry.line, "bounds", entry.joined(),
-                    "has no area in " + called(dialect) + "'s order (" + bounds_order(dialect) +
-                        "), but has one in " + called(other) + "'s (" + bounds_order(other) +
-                        "): reorder the numbers; dialect " +
+                    "have no area in the order of " + called(dialect) + " (" +
+                        bounds_order(dialect) + "), but have one in that of " + called(other) +
+                        " (" + bounds_order(other) + "): reorder the numbers; dialect " +
                         (other == Dialect::kA ? "A needs d > 0" : "B needs d < 0"));
     }
     if (bounds.is_mirrored() && !bounds_of(numbers, other).is_mirrored()) {
-      warn_once(entry, "mirror the image in " + called(dialect) + "'s order (" +
-                           bounds_order(dialect) + "), but not in " + called(other) + "'s (" +
+      warn_once(entry, "mirror the image in the order of " + called(dialect) + " (" +
+                           bounds_order(dialect) + "), but not in that of " + called(other) + " (" +
                            bounds_order(other) + ")");
     }
     camera.left = bounds.left;
@@ -255,14 +258,21 @@ class DriverReader {
 
   const Entry& required(const std::string& keyword) const {
     if (const Entry* const entry = find(keyword)) return *entry;
-    located_.fail(1, keyword, "is missing");
+    fail_missing(keyword);
+  }
+
+  /// Names the first unknown keyword, too: it may be the missing one, misspelled.
+  [[noreturn]] void fail_missing(const std::string& keyword, const std::string& why = "") const {
+    if (unknown_.empty()) located_.fail(1, keyword, "is missing" + why);
+    const auto& [unknown, line] = unknown_.front();
+    located_.fail(line, unknown, "unknown keyword; " + keyword + " is missing" + why);
   }
 
   void put(const std::string& camera_field, const Entry& entry) {
     lines_["camera." + camera_field] = entry.line;
   }
 
-  /// "sphere[12].radius" is on the line of that sphere.
+  /// The line of a field; a field of a sphere ("sphere[12].radius") is on the sphere's line.
   std::optional<std::size_t> line_of(const std::string& field) const {
     const auto known = lines_.find(field);
     if (known != lines_.end()) return known->second;
@@ -275,9 +285,10 @@ class DriverReader {
 
   const std::string& word(const Entry& entry, std::size_t index, std::size_t needed) const {
     if (index < entry.words.size()) return entry.words[index];
-    located_.fail(
-        entry.line, entry.keyword, entry.joined(),
-        "needs " + std::to_string(needed) + " numbers, has " + std::to_string(entry.words.size()));
+    located_.fail(entry.line, entry.keyword, entry.joined(),
+                  "needs " + std::to_string(needed) +
+                      (needed == 1 ? " number, has " : " numbers, has ") +
+                      std::to_string(entry.words.size()));
   }
 
   std::vector<double> numbers_of(const Entry& entry, std::size_t needed) {
@@ -321,7 +332,7 @@ class DriverReader {
   inline static const std::set<std::string> kOfShading = {"ambient", "light", "model",
                                                           "recursionLevel", "recursionlevel"};
   static constexpr std::size_t kSphereNumbers = 4;
-  /// In a file that is not a driver file most lines begin with an unknown word.
+  /// Most lines of a file that is not a driver file would give a warning, each for an unknown word.
   static constexpr std::size_t kMostWarnings = 20;
 
   LocatedFields located_;
@@ -329,12 +340,14 @@ class DriverReader {
   std::map<std::string, std::size_t> lines_;  ///< The lines of the camera's fields.
   std::vector<std::size_t> sphere_lines_;
   std::map<std::string, int> of_shading_;
-  std::vector<std::string> first_seen_;  ///< The keywords of of_shading_, in the file's order.
+  std::vector<std::string>
+      first_seen_;  ///< The keywords of of_shading_, in their order in the file.
   bool has_materials_ = false;
   std::map<std::string, Entry> once_;
   std::set<std::string> warned_;
   static constexpr std::size_t kFirstWords = 3;
-  std::vector<std::string> unknown_;  ///< The first unknown keywords.
+  /// The first unknown keywords, and their lines.
+  std::vector<std::pair<std::string, std::size_t>> unknown_;
 };
 
 }  // namespace

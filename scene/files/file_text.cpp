@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
   refuse(path, std::generic_category().message(error));
 }
 
-/// Checked before opening: opening a named pipe may block.
+/// Call this before opening the file, since opening a named pipe may block.
 void require_readable_kind(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -32,7 +32,7 @@ void require_readable_kind(const fs::path& path) {
   if (fs::is_directory(status)) refuse(path, "it is a folder; give a file");
   if (fs::is_block_file(status)) refuse(path, "it is a device; give a file");
   if (!fs::is_fifo(status)) return;
-  // An anonymous pipe has only its descriptor's path.
+  // The only path of an anonymous pipe is that of its descriptor.
   const fs::path named = fs::canonical(path, error);
   if (!error && !named.empty()) refuse(path, "it is a named pipe; give a file, or /dev/stdin");
 }

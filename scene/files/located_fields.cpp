@@ -13,7 +13,7 @@ namespace raycheck::scene {
 namespace {
 
 constexpr std::size_t kMaxShown = 120;
-constexpr std::size_t kMostListed = 20;  ///< Problems listed per scene.
+constexpr std::size_t kMostListed = 20;  ///< The largest number of problems listed for a scene.
 
 std::string on_one_line(std::string_view text) {
   if (text.size() <= kMaxShown) return visible_line(text);

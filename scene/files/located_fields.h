@@ -11,9 +11,9 @@
 
 namespace raycheck::scene {
 
-/// Makes the errors of a file, with their lines, counted from 1. Errors have the form
-/// `FILE:LINE: FIELD = VALUE: what is wrong`, with control characters escaped (scene/text.h) and
-/// long values truncated, so that each fits on one line.
+/// Throws the errors of a file. They have the form `FILE:LINE: FIELD = VALUE: what is wrong`; lines
+/// count from 1. Control characters are escaped (scene/text.h) and long values truncated, so that
+/// each error fits on one line.
 class LocatedFields {
  public:
   explicit LocatedFields(std::string_view file) : file_(file) {}
@@ -21,10 +21,10 @@ class LocatedFields {
   /// Throws SceneFileError.
   [[noreturn]] void fail(std::size_t line, std::string_view field, std::string_view value,
                          std::string_view what) const;
-  /// Throws SceneFileError about something without a value.
+  /// Throws SceneFileError about a field that has no value.
   [[noreturn]] void fail(std::size_t line, std::string_view field, std::string_view what) const;
 
-  /// The line that sets a field, named as in scene/validate.h; empty if it is not set.
+  /// The line that sets a field, named as in scene/validate.h; empty if the field is not set.
   using LineOf = std::function<std::optional<std::size_t>(const std::string& field)>;
   /// Throws SceneFileError listing the first problems of the scene, one per line, if there are any.
   void require_valid(const Scene& scene, const LineOf& line_of) const;

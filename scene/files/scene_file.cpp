@@ -30,7 +30,7 @@ class SceneReader {
       scene.rays.push_back(read<Ray>(each));
     }
     fields_.located().require_valid(scene, [&](const std::string& field) {
-      // The defect "scene": rays as well as a camera.
+      // The defect "scene" is reported if there are rays as well as a camera.
       const auto given = root.at_path(field == "scene" ? "ray[0]" : field);
       return given ? std::optional<std::size_t>(given.node()->source().begin.line) : std::nullopt;
     });

@@ -16,8 +16,8 @@ namespace raycheck::scene {
 
 /// The three dialects of the course's driver files.
 /// A (2017-18): `d` > 0 is the distance to the plane, `bounds left bottom right top`.
-/// B (2019): `d` < 0 is near itself, `bounds left right bottom top`.
-/// C (2020-21): one line `camera ex ey ez lx ly lz ux uy uz d`, otherwise as B.
+/// B (2019): `d` < 0 is near, `bounds left right bottom top`.
+/// C (2020-21): like B, but with one line `camera ex ey ez lx ly lz ux uy uz d`.
 enum class Dialect { kA, kB, kC };
 inline constexpr std::array<std::string_view, 3> kDialectNames = {"A", "B", "C"};
 constexpr std::string_view name(Dialect dialect) {
@@ -34,23 +34,24 @@ class SceneFileError : public std::runtime_error {
 struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;
-  std::optional<Dialect> dialect = {};  ///< For a driver file.
-  /// Parts of a driver file that only shading needs, which is not a problem: "ambient", "2 lights".
+  std::optional<Dialect> dialect = {};  ///< The dialect of a driver file.
+  /// Parts of a driver file that are ignored because only shading needs them: "ambient", "2
+  /// lights".
   std::vector<std::string> not_needed = {};
 };
 
-/// Reads a scene file: TOML when the name ends in ".toml", otherwise a driver file.
+/// Reads a scene file: TOML if the name ends in ".toml", otherwise a driver file.
 /// Domain: the scene is valid (scene/validate.h); otherwise throws SceneFileError. `dialect` is
-/// used for a driver file that does not itself determine its dialect.
+/// used if the contents of a driver file do not determine its dialect.
 LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect> dialect = {});
 
-/// The same for text already in memory; `file` is the name that errors and warnings use.
+/// Reads a scene from text; `file` is the name of the file in errors and warnings.
 LoadedScene read_toml(std::string_view text, std::string_view file);
 LoadedScene read_driver_file(std::string_view text, std::string_view file,
                              std::optional<Dialect> dialect = {});
 
-/// A TOML scene that reads back bit-identically. Numbers are shortest decimals, which TOML allows;
-/// `comment` lines, if any, come first.
+/// A scene as TOML. Numbers are the shortest decimals that read back as the same double. The lines
+/// of `comment` come first.
 std::string write_toml(const Scene& scene, std::string_view comment = {});
 
 }  // namespace raycheck::scene

@@ -15,7 +15,7 @@ bool is_token_character(char c) {
          c == '+' || c == '-' || c == '.' || c == ':';
 }
 
-// The token without its digit separators, if it is a decimal or a hexfloat.
+// The token without its digit separators; empty if it is neither a decimal nor a hexfloat.
 std::optional<std::string> as_number(std::string_view token) {
   std::string digits;
   for (std::size_t i = 0; i < token.size(); ++i) {
@@ -73,7 +73,7 @@ class Quoter {
     }
   }
 
-  /// Counts dots since the last end of a key or a value: a key has at most one part more.
+  /// Counts dots since the last key or value ended. A key has at most one part more than dots.
   void count(char c) {
     constexpr std::string_view kEnds = "\n=,[]{}";
     if (kEnds.find(c) != std::string_view::npos) dots_ = 0;
@@ -170,10 +170,12 @@ void TomlFields::require_known(const Table& from, std::span<const std::string_vi
     const bool is_known = std::ranges::find(known, key.str()) != known.end();
     if (!is_known && (!unknown || field.line < unknown->line)) unknown.emplace(field);
   }
-  if (unknown) {
-    located_.fail(unknown->line, unknown->name, spelled(unknown->node),
-                  "unknown key; " + from.name + " accepts " + joined(known));
+  if (!unknown) return;
+  const std::string accepted = from.name + " accepts " + joined(known);
+  if (unknown->node.is_table()) {
+    located_.fail(unknown->line, "[" + unknown->name + "]", "unknown table; " + accepted);
   }
+  located_.fail(unknown->line, unknown->name, spelled(unknown->node), "unknown key; " + accepted);
 }
 
 std::optional<TomlFields::Field> TomlFields::optional(const Table& from,
@@ -226,7 +228,7 @@ std::int64_t TomlFields::integer(const Field& field, std::string_view meaning) c
 std::string TomlFields::text(const Field& field) const {
   const auto* const text = field.node.as_string();
   if (text == nullptr) fail(field, "must be a string in quotes");
-  // Paths, command-line words and errors end at a NUL.
+  // A NUL would cut off paths, command-line words and errors.
   if (text->get().find('\0') != std::string::npos) fail(field, "must not contain NUL");
   return text->get();
 }

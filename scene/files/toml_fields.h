@@ -1,6 +1,6 @@
 #pragma once
 
-// Shared by the readers of TOML files; only they include toml++.
+// Shared by the readers of TOML files. No other code includes toml++.
 
 #include <toml++/toml.h>
 
@@ -21,18 +21,18 @@
 
 namespace raycheck::scene {
 
-/// The deepest nesting of lists and tables, and the most parts of a key (a.b.c has 3): toml++
-/// recurses on each, so a line with too many overflows the stack.
+/// The limit on the nesting of lists and tables and on the parts of a key (a.b.c has 3). toml++
+/// recurses into each, so that a line with too many would overflow the stack.
 inline constexpr std::size_t kMostNested = 32;
 
-/// Parses TOML of which every bare decimal and hexfloat value is first put in quotes, without its
-/// digit-separating underscores, so that only parse_number decides how they round: toml++ 3.3
-/// refuses decimals that underflow or exceed 128 characters, and reads hexfloats through 32-bit
-/// integers. Keys, strings, comments, dates, words and integers in other bases stay as they are.
-/// Errors: SceneFileError naming the line, also where nesting exceeds kMostNested.
+/// Parses TOML. Every bare decimal and hexfloat value is first put in quotes, without its
+/// digit-separating underscores, so that parse_number reads it later: toml++ 3.3 refuses decimals
+/// that underflow or exceed 128 characters, and reads hexfloats through 32-bit integers. Keys,
+/// strings, comments, dates, words and integers in other bases stay as they are.
+/// Errors: SceneFileError naming the line, also if the nesting exceeds kMostNested.
 toml::table parse_toml(std::string_view text, std::string_view file);
 
-/// The fields of a TOML file, by kind; every error names file, line, field and value.
+/// Reads the fields of a TOML file, by kind. Every error names file, line, field and value.
 class TomlFields {
  public:
   /// A value in the file, and its name in errors.
@@ -42,7 +42,7 @@ class TomlFields {
     std::size_t line;
   };
 
-  /// A table in the file: errors put `prefix` before its keys.
+  /// A table in the file. Errors put `prefix` before its keys.
   struct Table {
     const toml::table& keys;
     std::string name;
@@ -80,7 +80,7 @@ class TomlFields {
     return {number(elements[0]), number(elements[1]), number(elements[2])};
   }
 
-  /// One of an enumeration's names, where the key is given.
+  /// Sets a choice to the enumerator that the file names; without the key, the choice stays.
   template <typename Choice, std::size_t kCount>
   void choose(const Table& from, std::string_view key,
               const std::array<std::string_view, kCount>& names, Choice& choice) const {
@@ -107,7 +107,7 @@ class TomlFields {
   LocatedFields located_;
 };
 
-/// The conventions that a table sets, of a scene or another file. If one field of valid roots is
+/// The conventions that a table sets, in a scene or another file. If one field of valid roots is
 /// given, all count as declared.
 template <typename Conventions>
 void read_conventions(TomlFields& fields, const TomlFields::Table& from, Conventions& conventions) {

@@ -9,7 +9,7 @@
 namespace raycheck::scene {
 namespace {
 
-// Up to here whole doubles are written as digits that any TOML reader reads as that integer.
+// Whole doubles up to this are written as digits, which every TOML reader reads as the integer.
 constexpr double kMaxWholeNumber = 1e15;
 
 std::string toml_number(double value) {

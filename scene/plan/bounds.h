@@ -4,8 +4,8 @@
 
 namespace raycheck::scene {
 
-// How far a real may be from the double x it was rounded to: half an ulp, or half the least double
-// (sums never need the latter). Beyond the largest double, any distance.
+// The distance of a real from the double that it was rounded to is at most half an ulp or half the
+// least double (sums never need the latter). Beyond the largest double it has no limit.
 inline constexpr double kBoundsWiden = 0x1p-52;
 inline constexpr double kBoundsTiny = 0x1p-960;
 inline constexpr int kBoundsMaxUlp = 3;

@@ -1,12 +1,12 @@
-// Interval arithmetic, in any type of number that scene/numbers.h or scene/lanes.h has functions
-// for. Not to be included directly: bounds.h includes it in raycheck::scene, and plan_kernel.cpp in
-// the namespace of each of Highway's targets, to compile its functions for that target.
+// Interval arithmetic for the types of numbers in scene/numbers.h and scene/lanes.h. Do not include
+// this file directly: bounds.h includes it in raycheck::scene, and plan_kernel.cpp in the namespace
+// of each of Highway's targets, to compile its functions for that target.
 
-/// All reals from low to high; infinite where nothing is known.
-/// Error:  an operation's result encloses its values for all reals in the operands; unless these
-///         are tiny or past the largest double, each end is at most kBoundsMaxUlp ulp too far out.
-/// Domain: doubles that round to nearest; low <= high, neither NaN nor an infinity past the other
-///         end.
+/// All reals from low to high; an end is infinite if no bound is known.
+/// Error:  the result of an operation encloses its values for all reals in the operands. Unless
+///         these values are tiny or beyond the largest double, each end is at most kBoundsMaxUlp
+///         ulp too far out.
+/// Domain: doubles that round to nearest; low <= high, neither is NaN, low < inf, high > -inf.
 template <class N>
 struct BoundsOf {
   N low{0.0}, high{0.0};
@@ -20,14 +20,14 @@ struct BoundsOf {
   bool operator==(const BoundsOf&) const = default;
 };
 
-/// Below any real that rounds to x, a normal double.
+/// A number below every real that rounds to x. Domain: x is a normal double.
 template <class N>
 N lowered(const N& x, const N& magnitude, double widen = kBoundsWiden) {
   return x - magnitude * N(widen);
 }
 
-/// The magnitude of which a share is subtracted from x: large enough for the share not to vanish,
-/// unless x is exact.
+/// lowered() subtracts a share of this magnitude from x. Unless x is exact, it is large enough for
+/// the share not to vanish.
 template <class N>
 N unvanishing(N x, MaskOf<N> is_exact) {
   constexpr double kLeastNormal = std::numeric_limits<double>::min();
@@ -43,7 +43,7 @@ N bound_above(N x, MaskOf<N> is_exact) {
   const N least = larger(x, N(-std::numeric_limits<double>::max()));
   return lowered(least, unvanishing(least, is_exact), -kBoundsWiden);
 }
-/// Of sums and square roots, which are exact where they are subnormal.
+/// Bounds on rounded sums and square roots, which are exact if they are subnormal.
 template <class N>
 BoundsOf<N> widened(N low, N high) {
   const N most(std::numeric_limits<double>::max());
@@ -65,8 +65,8 @@ BoundsOf<N> operator-(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   return x + -y;
 }
 
-/// A product of reals: 0 times anything, even infinity, is 0; an underflow, which counts as one of
-/// those that `vanished`, is not. (Lambdas would not be compiled for a target of Highway's.)
+/// A product of reals: 0 times anything, even infinity, is 0. Lanes whose product underflows to 0
+/// are added to `vanished`. (Lambdas would not be compiled for a target of Highway's.)
 template <class N>
 N product(N x, N y, MaskOf<N>& vanished) {
   const N zero(0.0);
@@ -87,7 +87,7 @@ BoundsOf<N> operator*(const BoundsOf<N>& x, const BoundsOf<N>& y) {
           bound_above(high, (high == zero) & !vanished)};
 }
 
-/// x y for y >= 0: the same, faster.
+/// Equal to x y for y >= 0, but faster.
 template <class N>
 BoundsOf<N> times_positive(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   const N zero(0.0);
@@ -99,7 +99,7 @@ BoundsOf<N> times_positive(const BoundsOf<N>& x, const BoundsOf<N>& y) {
           bound_above(select(high_is_zero, zero, x.high * by_high), high_is_zero)};
 }
 
-/// x y for bounds y that all lanes share: the same, faster where their sign is known.
+/// Equal to x y for bounds y that all lanes share, but faster if their sign is known.
 template <class N, class Shared>
 BoundsOf<N> times_shared(const BoundsOf<N>& x, const Shared& y) {
   const BoundsOf<N> each = {N(y.low), N(y.high)};
@@ -116,14 +116,14 @@ BoundsOf<N> square(const BoundsOf<N>& x) {
           bound_above(most * most, most == zero)};
 }
 
-/// All reals if the divisor may be 0.
+/// The quotient; all reals if the divisor may be 0.
 template <class N>
 BoundsOf<N> operator/(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   const N zero(0.0);
   const MaskOf<N> negates = y.high < zero, nowhere = zero < zero;
   const N low = select(negates, -x.high, x.low), high = select(negates, -x.low, x.high);
   const N least = select(negates, -y.high, y.low), most = select(negates, -y.low, y.high);
-  // A computed 0 may be an underflow from either side.
+  // A computed 0 may be an underflow of a positive or a negative quotient.
   const N below = bound_below(low / select(low < zero, least, most), nowhere);
   const N above = bound_above(high / select(high < zero, most, least), nowhere);
   const BoundsOf<N> everything = BoundsOf<N>::everything();
@@ -131,7 +131,7 @@ BoundsOf<N> operator/(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   return {select(unknown, everything.low, below), select(unknown, everything.high, above)};
 }
 
-/// Whether a product of x and a power of two is exact.
+/// Whether `scaled`, a product of x and a power of two, is exact.
 template <class N>
 MaskOf<N> is_exactly_scaled(N x, N scaled) {
   const N size = absolute(scaled);
@@ -139,11 +139,11 @@ MaskOf<N> is_exactly_scaled(N x, N scaled) {
          ((size > N(kBoundsTiny)) & (size <= N(std::numeric_limits<double>::max())));
 }
 
-/// x 2^exponent
 template <class N>
 BoundsOf<N> scaled(const BoundsOf<N>& x, int exponent) {
   if (exponent == 0) return x;
-  // In steps, as 2^exponent may be out of range; numbers that are tiny in one vanish in the next.
+  // In steps, since 2^exponent may be out of range. A number that is tiny after one step vanishes
+  // in the next.
   const N third(std::ldexp(1.0, exponent / 3)), rest(std::ldexp(1.0, exponent - exponent / 3 * 2));
   const N low = x.low * rest * third * third, high = x.high * rest * third * third;
   const MaskOf<N> never = low < low;
@@ -151,7 +151,7 @@ BoundsOf<N> scaled(const BoundsOf<N>& x, int exponent) {
           select(is_exactly_scaled(x.high, high), high, bound_above(high, never))};
 }
 
-/// Of the part of x that is not negative.
+/// The square root of the part of x that is not negative.
 template <class N>
 BoundsOf<N> sqrt(const BoundsOf<N>& x) {
   const N zero(0.0);

@@ -34,7 +34,7 @@ Axis difference(const Point3& to, const Point3& from) {
 
 bool is_zero(const Bounds& x) { return x.low == 0 && x.high == 0; }
 
-/// Whether a vector points along a world axis or its opposite, and which.
+/// Whether a vector points along a world axis or its opposite; then sets `axis` to it.
 bool along_world_axis(const Axis& v, Axis& axis) {
   if (std::ranges::count_if(v, is_zero) != 2) return false;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -44,7 +44,8 @@ bool along_world_axis(const Axis& v, Axis& axis) {
   return true;
 }
 
-/// Huge coordinates would overflow when squared, tiny ones vanish.
+/// The exponent of the largest coordinate. Vectors are scaled by it, since squares of huge
+/// coordinates would overflow and squares of tiny coordinates vanish.
 int exponent_of(const Axis& v) {
   double most = 0;
   for (const Bounds& x : v) most = std::max({most, std::abs(x.low), std::abs(x.high)});
@@ -55,10 +56,10 @@ Axis scaled(const Axis& v, int exponent) {
   return {scaled(v[0], exponent), scaled(v[1], exponent), scaled(v[2], exponent)};
 }
 
-/// The same direction, its largest coordinate near 1.
+/// The vector scaled so that its largest coordinate is near 1.
 Axis scaled_near_one(const Axis& v) { return scaled(v, -exponent_of(v)); }
 
-/// x - y as a double and its rounding error, exactly.
+/// An exact difference: the rounded difference and its rounding error.
 struct Difference {
   double x, rest;
 };
@@ -68,12 +69,12 @@ Difference difference(double x, double y) {
   return {rounded, (x - (rounded + of_y)) + (of_y - y)};
 }
 
-/// The rounding errors of products of numbers at least this large are doubles.
+/// For numbers of at least this size, the rounding error of a product is a double.
 constexpr double kLeastFactor = 0x1p-400;
 
 bool is_plain(double x) { return x == 0 || std::abs(x) >= kLeastFactor; }
 
-/// a x - b y, where that may cancel: by exact products.
+/// a x - b y by exact products, precise even if it cancels.
 Bounds determinant(double a, const Difference& x, double b, const Difference& y) {
   const double first = a * x.x, second = b * y.x;
   if (first == 0 && second == 0) return Bounds::exactly(0);
@@ -86,8 +87,8 @@ Bounds determinant(double a, const Difference& x, double b, const Difference& y)
   return Bounds::exactly(leading.x) + (Bounds::exactly(rest) + Bounds{-doubt, doubt});
 }
 
-/// up x (E - A), up to a positive factor. In the plain range it is precise however nearly these are
-/// parallel; elsewhere it comes from bounds on E - A.
+/// up x (E - A), up to a positive factor. In the plain range it is precise even if up and E - A are
+/// nearly parallel; elsewhere it is computed from bounds on E - A.
 Axis across(const Camera& camera, const Axis& to_eye) {
   const Axis up = scaled_near_one(exactly(camera.up));
   const Point3 &E = camera.eye, &A = camera.look_at;

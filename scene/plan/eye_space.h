@@ -9,38 +9,38 @@
 
 namespace raycheck::scene {
 
-/// Exponents of the powers of two that lengths are divided by: positions on the image plane and its
-/// distance from the eye; and lengths of spheres. 0: unscaled.
+/// Exponents of the powers of two that lengths are divided by. 0: not scaled.
 struct Scaling {
-  int plane = 0;
-  int lengths = 0;
+  int plane = 0;    ///< For positions on the image plane and its distance from the eye.
+  int lengths = 0;  ///< For lengths of spheres.
   bool operator==(const Scaling&) const = default;
 };
 
-/// A sphere relative to the eye, within bounds: shared by all rays through the eye. Lengths are
-/// divided by 2^Scaling::lengths.
+/// Bounds on a sphere's position relative to the eye, which all rays through the eye share. Lengths
+/// are divided by 2^Scaling::lengths.
 template <class AnyBounds>
 struct EyeSphereOf {
   AnyBounds u, v, w;      ///< (C - E).U, (C - E).V, (C - E).W
   AnyBounds distance_sq;  ///< |C - E|^2
-  AnyBounds power;        ///< |C - E|^2 - r^2: negative where the eye is inside.
+  AnyBounds power;        ///< |C - E|^2 - r^2; negative if the eye is inside.
   AnyBounds radius;
   bool operator==(const EyeSphereOf&) const = default;
 };
 using EyeSphere = EyeSphereOf<Bounds>;
 
-/// The image plane's columns (or rows) in the order of their indices.
+/// The columns (or rows) of the image plane.
 struct PixelAxis {
-  Bounds first, extent;  ///< Where the plane's side begins, and its length.
-  double pixels = 0;     ///< The number of samples that fit into that, and the last index.
-  double last = 0;
-  bool centred = false;
-  bool reversed = false;  ///< Counted from the other end.
+  Bounds first, extent;   ///< The position where the plane begins, and its length.
+  double pixels = 0;      ///< The length divided by the distance of neighbouring samples.
+  double last = 0;        ///< The last index.
+  bool centred = false;   ///< Samples are at the centres of pixels.
+  bool reversed = false;  ///< Indices count from the other end.
 };
 
-/// The part of a x - b y below its leading double. The rounding errors of the products of a and b
-/// with the leading parts of x and y, and of these products' difference, are given exactly. Off by
-/// kDeterminantRoundings u^2, to first order, where the products add up to 1.
+/// The part of a x - b y below its leading double. Given are the exact rounding errors of a times
+/// the leading part of x, of b times the leading part of y, and of the difference of these
+/// products.
+/// Error:  kDeterminantRoundings u^2 times the sum of the products' sizes, to first order.
 template <class N>
 N rest_of_determinant(const N& of_difference, const N& of_first, const N& of_second, const N& a,
                       const N& x_rest, const N& b, const N& y_rest) {
@@ -48,16 +48,16 @@ N rest_of_determinant(const N& of_difference, const N& of_first, const N& of_sec
 }
 inline constexpr double kDeterminantRoundings = 15;
 
-/// A camera's axes and image plane, within bounds.
+/// Bounds on a camera's axes and image plane.
 /// Domain: a valid camera (scene/validate.h).
-/// Error:  every bound holds the real value; the axes are some ulps wide, unless E - A or up x W
-///         nearly vanish, and exact where they are the world's (`axis_aligned`).
+/// Error:  all bounds enclose the real values. Those on the axes are some ulps wide, unless E - A
+///         or up x W nearly vanish, and exact if the axes are the world's (`axis_aligned`).
 /// Source: docs/problem.md, section Camera.
 class EyeSpace {
  public:
   using Axis = std::array<Bounds, 3>;
 
-  /// `general` treats the world's axes like any others, as computed bounds.
+  /// If `general` is set, axes are computed even if they are the world's.
   EyeSpace(const Camera& camera, const Conventions& conventions, const Scaling& scaling,
            bool general = false);
 
@@ -72,12 +72,12 @@ class EyeSpace {
   const PixelAxis& rows() const { return rows_; }
   EyeSphere sphere(const Sphere& sphere) const;
 
-  /// n, alpha of a column and beta of a row j, as the conventions count them, divided by
-  /// 2^Scaling::plane.
+  /// n, alpha of a column and beta of a row, divided by 2^Scaling::plane. Rows count as the
+  /// conventions say.
   Bounds near() const;
   Bounds alpha(double column) const;
   Bounds beta(double row) const;
-  /// The column (or row) of a position on the image plane: the inverse of `alpha`.
+  /// The inverses of alpha() and beta().
   Bounds column(const Bounds& alpha) const;
   Bounds row(const Bounds& beta) const;
 

@@ -43,19 +43,21 @@ PlanTerms terms_of(const Camera& camera, const ScenePlan& plan) {
           forward(eye.near())};
 }
 
-/// A sphere that every ray meets at the near root; `pixels` and `seen` as they were planned.
+/// A sphere that may hide others: every ray from the eye that meets it does so at the near root.
+/// `pixels` and `seen` are copies from its plan.
 struct Occluder {
   std::size_t index;
   Sphere sphere;
   PixelRectangle pixels;
   EyeSphere seen;
-  Bounds touch = sqrt(seen.power);  ///< How far from the eye its cone touches it.
+  Bounds touch = sqrt(seen.power);  ///< The distance from the eye to where its cone touches it.
   Bounds distance = sqrt(seen.distance_sq);
 };
 
-/// Whether every ray from the eye that meets `sphere` meets `by` before it: its cone is inside the
-/// other's and all of it beyond where that touches `by`. With t^2 = |C - E|^2 - r^2, the cosine of
-/// the difference of the cones' half angles is (t t_by + r r_by) / (|C - E| |C_by - E|).
+/// Whether every ray from the eye that meets the planned sphere meets `by` before it. This is so if
+/// the sphere's cone is inside the cone of `by` and the sphere is farther away than the circle
+/// where the cone of `by` touches it. With t^2 = |C - E|^2 - r^2, the cosine of the difference of
+/// the cones' half angles is (t t_by + r r_by) / (|C - E| |C_by - E|).
 bool covers(const Occluder& by, const SpherePlan& plan, double nearest_distance) {
   const EyeSphere& sphere = plan.seen;
   if (!(sphere.power.low > 0 && nearest_distance > by.touch.high)) return false;
@@ -67,7 +69,6 @@ bool covers(const Occluder& by, const SpherePlan& plan, double nearest_distance)
              times_positive(by.seen.radius, sqrt(sphere.distance_sq)).low;
 }
 
-/// All of `sphere` is inside `by`.
 bool contains(const Sphere& by, const Sphere& sphere) {
   if (std::abs(sphere.centre.x - by.centre.x) >= by.radius ||
       std::abs(sphere.centre.y - by.centre.y) >= by.radius ||
@@ -83,7 +84,7 @@ bool contains(const Sphere& by, const Sphere& sphere) {
   return (apart + Bounds::exactly(sphere.radius)).high < by.radius;
 }
 
-/// Finds for each sphere the first in the file that equals it.
+/// Finds for each sphere the first equal sphere in the file.
 class FirstOfEquals {
  public:
   explicit FirstOfEquals(const std::vector<Sphere>& spheres)
@@ -91,7 +92,7 @@ class FirstOfEquals {
     for (std::size_t k = 0; k < kAhead; ++k) look_ahead_to(k);
   }
 
-  /// To be called for each k in turn.
+  /// The first sphere that equals sphere k. Call it for k = 0, 1, 2, ... in turn.
   std::size_t first(std::size_t k) {
     const std::uint64_t hash = hashes_[k % kAhead], tag = hash << 32;
     look_ahead_to(k + kAhead);
@@ -125,12 +126,12 @@ class FirstOfEquals {
   }
 
   const std::vector<Sphere>& spheres_;
-  std::vector<std::uint64_t> slots_;  ///< Part of the hash, and the index + 1; 0: empty.
+  std::vector<std::uint64_t> slots_;  ///< 32 bits of the hash and the index + 1; 0: empty.
   std::array<std::uint64_t, kAhead> hashes_{};
 };
 
-/// Which of kMostOccluders rectangles may contain a given one: for each of the four sides, and each
-/// step of some pixels along it, one bit per rectangle that reaches beyond.
+/// Finds which of kMostOccluders rectangles may contain a given one. For each of the four sides and
+/// each step of some pixels, a mask has one bit for each rectangle that reaches beyond the step.
 class Containing {
  public:
   Containing(const std::vector<Occluder>& occluders, const Camera& camera) {
@@ -140,7 +141,8 @@ class Containing {
       const std::array<std::size_t, 4> at = steps(occluders[o].pixels);
       for (std::size_t side = 0; side < 4; ++side) masks_[side][at[side]] |= std::uint64_t{1} << o;
     }
-    // One that begins at a step begins before the next; one that ends there ends after the last.
+    // A rectangle that begins at a step begins before all later steps; a rectangle that ends at a
+    // step ends after all earlier steps.
     for (std::size_t step = 1; step < kSteps; ++step) {
       for (const std::size_t begin : {0U, 2U}) masks_[begin][step] |= masks_[begin][step - 1];
       for (const std::size_t end : {1U, 3U}) {
@@ -167,7 +169,7 @@ class Containing {
 };
 static_assert(kMostOccluders <= 64);
 
-/// Calls body(begin, end) of parts of [0, count).
+/// Calls body(begin, end) for consecutive parts of [0, count).
 void for_each_part(const ForEach& for_each, std::size_t count,
                    const std::function<void(std::size_t, std::size_t)>& body) {
   constexpr std::size_t kPart = 4096;
@@ -196,7 +198,7 @@ void leave_out_hidden(const Scene& scene, const ForEach& for_each, ScenePlan& pl
     if (first != k) leave_out(k, first);
     const EyeSphere& seen = plans[k].seen;
     if (first != k || plans[k].reaches_behind || !(seen.power.low > 0)) continue;
-    // Most are smaller by more than rounding errors.
+    // A quick test leaves out most spheres: those that are smaller by more than rounding errors.
     if (seen.radius.high * seen.radius.high < least_size_sq * seen.distance_sq.high) continue;
     by_size.emplace_back(-seen.radius.high / std::sqrt(seen.distance_sq.high), k);
     std::push_heap(by_size.begin(), by_size.end());
@@ -227,7 +229,7 @@ void leave_out_hidden(const Scene& scene, const ForEach& for_each, ScenePlan& pl
   });
 }
 
-/// The least and the largest nonzero magnitude; {0, 0} if all are 0.
+/// The smallest and the largest nonzero magnitude; both are 0 if all magnitudes are.
 struct Magnitudes {
   double smallest = 0, largest = 0;
 
@@ -237,7 +239,7 @@ struct Magnitudes {
     smallest = smallest == 0 ? size : std::min(smallest, size);
     largest = std::max(largest, size);
   }
-  /// The exponent of the largest; 0 if all are in the plain range.
+  /// The exponent of the largest magnitude. With `only_if_needed`, 0 if all are in the plain range.
   int exponent(bool only_if_needed) const {
     if (largest == 0) return 0;
     const bool plain =

@@ -22,16 +22,16 @@ inline constexpr std::array kEveryWanted = {Wanted::kClass, Wanted::kParameter, 
 
 /// The optimisations of a plan; each can be switched off.
 struct PlanItems {
-  bool view = true;    ///< Leave out spheres outside the view volume.
-  bool behind = true;  ///< Leave out spheres behind every origin.
-  bool hidden = true;  ///< Leave out spheres hidden by a nearer one, where the nearest is wanted.
+  bool view = true;        ///< Leave out spheres outside the view volume.
+  bool behind = true;      ///< Leave out spheres behind every origin.
+  bool hidden = true;      ///< Leave out spheres hidden by a nearer one, if the nearest is wanted.
   bool rectangles = true;  ///< Test a sphere only at the pixels of its rectangle.
   bool constants = true;   ///< Compute once the terms of a sphere that all rays from the eye share.
-  bool far_root = true;    ///< Use the far root only where an origin may be inside.
-  bool behind_test = true;  ///< Compare roots with the origin only where a sphere may reach behind.
+  bool far_root = true;    ///< Use a sphere's far root only if an origin may be inside.
+  bool behind_test = true;  ///< Compare roots with 0 only if a sphere may reach behind an origin.
   bool scaling = true;      ///< Scale by powers of two only if magnitudes require it.
-  bool filter = true;       ///< Decide exactly only where the filter in doubles fails.
-  bool basis = true;        ///< Permute coordinates, not multiply, where the axes are the world's.
+  bool filter = true;       ///< Decide exactly only if the filter in doubles fails.
+  bool basis = true;        ///< If the axes are the world's, permute coordinates, do not multiply.
   bool quantities = true;   ///< Compute only the results wanted.
 };
 
@@ -60,49 +60,51 @@ inline constexpr std::array<std::string_view, 3> kLeftOutNames = {"outside the v
 struct SpherePlan {
   std::optional<LeftOut> left_out;
   std::optional<std::size_t> hidden_by;
-  PixelRectangle pixels;       ///< All pixels whose rays meet it; empty if left out.
-  bool origin_inside = true;   ///< A ray may start inside: its far root may count.
-  bool reaches_behind = true;  ///< A ray's line may meet it behind the origin.
+  PixelRectangle pixels;       ///< Contains all pixels whose rays meet it; empty if left out.
+  bool origin_inside = true;   ///< A ray may start inside it, so that its far root may count.
+  bool reaches_behind = true;  ///< The line of a ray may meet it behind the ray's origin.
   EyeSphere seen;
   bool operator==(const SpherePlan&) const = default;
 };
 
-/// The computations that a scene needs, decided once from its camera and spheres, and rounded
-/// outward so that skipping the others changes no answer. Scenes of given rays have no plan.
+/// The computations that a scene needs, decided once from its camera and spheres. Bounds are
+/// rounded outward, so that leaving out the other computations changes no answer. Scenes of given
+/// rays have no plan.
 /// Shape:  a scene -> one SpherePlan and one distance per sphere, in their order.
 /// Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths.
 /// Domain: a valid scene with a camera; otherwise throws std::invalid_argument naming the field.
-/// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle exceeds the one
-///         of its silhouette bounds by at most kRectangleSlack pixels on each side, if these bounds
-///         are well conditioned.
-/// Source: silhouette bounds of the cone from the eye over the sphere, in the planes (U, W) and (V,
-///         W): its two tangent directions are the direction of the centre turned by asin(r/rho).
+/// Error:  the ray of a pixel outside a sphere's rectangle certainly misses the sphere. The
+///         rectangle exceeds the sphere's exact silhouette bounds by at most kRectangleSlack pixels
+///         on each side, if these bounds are well conditioned.
+/// Source: silhouette bounds of the cone from the eye over the sphere. In the planes (U, W) and (V,
+///         W), its two tangents are the direction of the centre turned by asin(r/rho).
 struct ScenePlan {
   Conventions conventions;
   Wanted wanted = Wanted::kParameter;
   PlanItems items;
   EyeSpace eye;
   std::vector<SpherePlan> spheres;
-  /// No ray meets the sphere nearer to the eye; scaled like SpherePlan::seen, infinite if left out.
+  /// For each sphere, a lower bound on the distance from the eye at which rays meet it, scaled like
+  /// SpherePlan::seen; infinite if the sphere is left out.
   std::vector<double> nearest_distance;
 };
 
 /// The number of pixels by which a rectangle may be too large on each side.
 inline constexpr std::int64_t kRectangleSlack = 1;
 
-/// The number of spheres, the largest in the image, that each sphere is compared with.
+/// Each sphere is compared with at most this many spheres, the largest in the image.
 inline constexpr std::size_t kMostOccluders = 64;
 
-/// Magnitudes within 2^-kPlainExponent and 2^kPlainExponent need no scaling: products of four of
-/// them neither overflow nor vanish.
+/// Magnitudes from 2^-kPlainExponent to 2^kPlainExponent need no scaling: products of four neither
+/// overflow nor vanish.
 inline constexpr int kPlainExponent = 120;
 
-/// Calls body(k) of every k < count, in any order or several at once.
+/// Calls body(k) for every k < count, in any order, possibly in parallel.
 using ForEach =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 void one_by_one(std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// The plan does not depend on `for_each`.
+/// Plans a scene. The plan does not depend on `for_each`.
 ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted wanted,
                      const PlanItems& items = {}, const ForEach& for_each = one_by_one);
 

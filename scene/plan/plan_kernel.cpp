@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE {
 #include "scene/plan/bounds_formula.h"
 #include "scene/plan/sphere_formula.h"
 
-/// Plans the first spheres, as many as fill a vector; if fewer are left, copies of the first fill
-/// it.
+/// Plans as many of the first spheres as fill a vector. If fewer are left, copies of the first fill
+/// the vector.
 HWY_FLATTEN std::size_t plan_first(const PlanTerms& terms, std::span<const Sphere> spheres,
                                    PlannedNumbers& to) {
   static_assert(kLaneCount <= PlannedNumbers::kMostLanes && sizeof(Sphere) == 4 * sizeof(double));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Plans of spheres, several at once in vectors as wide as the machine has. Internal to scene/plan.
+// Plans several spheres at once, in vectors as wide as the machine's. Internal to scene/plan.
 
 #include <cstddef>
 #include <span>
@@ -14,12 +14,12 @@ struct PlanTerms {
   const EyeSpace& eye;
   const PlanItems& items;
   bool is_forward;   ///< Rays go along W.
-  bool from_pixels;  ///< They start on the image plane.
+  bool from_pixels;  ///< Rays start on the image plane.
   bool far_root_may_count;
   double width, height;
   Bounds near, across, along;  ///< The image plane.
-  Bounds start;                ///< Where rays start, the way they go.
-  Bounds ahead;                ///< The image plane's distance that way, as EyeSpace::near() is.
+  Bounds start;                ///< Where rays start, along W or -W, the way they go.
+  Bounds ahead;                ///< Where the image plane is, the same way; scaled like near().
 };
 
 /// The plans of several spheres, lane by lane.
@@ -30,8 +30,8 @@ struct PlannedNumbers {
   double high[6][kMostLanes];
   double nearest_distance[kMostLanes];
   double sides[4][kMostLanes];
-  // One bit per lane: none of it reaches behind, no origin is inside, all of it is behind, no
-  // pixel's ray meets it.
+  // One bit per lane: no part of the sphere is behind; no origin is inside; all of the sphere is
+  // behind; no pixel's ray meets it.
   unsigned in_front, origin_outside, behind, none;
 };
 

@@ -1,5 +1,5 @@
-// The formulas of a plan for one sphere in doubles, or for several spheres side by side. Not to be
-// included directly, like bounds_formula.h.
+// The formulas of a plan, for one sphere in doubles or for several spheres in lanes. Do not include
+// this file directly; see bounds_formula.h.
 
 template <class N>
 using AxisOf = std::array<BoundsOf<N>, 3>;
@@ -13,13 +13,12 @@ BoundsOf<N> exactly(double x) {
   return {N(x), N(x)};
 }
 
-/// x.y
 template <class N>
 BoundsOf<N> dot(const AxisOf<N>& x, const EyeSpace::Axis& y) {
   return times_shared(x[0], y[0]) + times_shared(x[1], y[1]) + times_shared(x[2], y[2]);
 }
 
-/// x.y of an axis y of the world, or its opposite.
+/// x.y for a y that is an axis of the world or its opposite.
 template <class N>
 BoundsOf<N> along(const AxisOf<N>& x, const EyeSpace::Axis& y) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -65,8 +64,9 @@ BoundsOf<N> index_of(const PixelAxis& axis, const BoundsOf<N>& position) {
   return axis.reversed ? exactly<N>(axis.last) - index : index;
 }
 
-/// The slopes x/z of the directions with z > 0 whose half-lines from 0 meet a disc, or `none`.
-/// The disc's tangents from 0 are (x, z) turned by asin(r/rho) to either side, times rho.
+/// The slopes x/z of the directions with z > 0 whose half-lines from 0 meet a disc; sets `none` if
+/// no such direction exists. The disc's tangents from 0 are (x, z) turned by asin(r/rho) to either
+/// side, times rho.
 template <class N>
 BoundsOf<N> slopes_of_disc(const BoundsOf<N>& x, const BoundsOf<N>& z, const BoundsOf<N>& r,
                            MaskOf<N>& none) {
@@ -77,7 +77,7 @@ BoundsOf<N> slopes_of_disc(const BoundsOf<N>& x, const BoundsOf<N>& z, const Bou
   const BoundsOf<N> zq = times_positive(z, q), xr = times_positive(x, r);
   const BoundsOf<N> xq = times_positive(x, q), zr = times_positive(z, r);
   const BoundsOf<N> right_z = zq - xr, left_z = zq + xr;
-  // The half-lines lie between the two tangents, in less than a half-plane.
+  // The half-lines lie between the two tangents, which are less than a half-plane apart.
   none = outside & (right_z.high < zero) & (left_z.high < zero);
   const BoundsOf<N> all = BoundsOf<N>::everything();
   return {select(outside & (left_z.low > zero), ((xq - zr) / left_z).low, all.low),
@@ -99,7 +99,7 @@ BoundsOf<N> beyond(const BoundsOf<N>& x, const Bounds& range) {
   return {larger(zero, larger(below.low, above.low)), larger(zero, larger(below.high, above.high))};
 }
 
-/// Plans as many spheres as N has numbers, each independently.
+/// Plans one sphere for each number of N, independently.
 template <class N>
 void plan_numbers(const PlanTerms& terms, const std::array<N, 3>& centre, N radius,
                   PlannedNumbers& to) {

@@ -1,4 +1,4 @@
-"""Charts of error: names beside methods, choices, hover and focus, the table; accessible (axe-core)."""
+"""Charts of errors: names beside methods, choices, hover and focus, the table, and accessibility (axe-core)."""
 import unittest
 
 import access_test
@@ -29,7 +29,7 @@ class Charts(PageTest):
           field.dispatchEvent(new Event(field.localName === "select" ? "change" : "input", { bubbles: true }));""", name, value)
 
     def marks(self):
-        """Where every method's mark lies in the large chart, by the method's number."""
+        """The position of every method's mark in the large chart, by the method's number."""
         return self.run_script("""return Object.fromEntries([...document.querySelectorAll("#chart-drawing g[data-method] circle")].map((mark) =>
           [mark.parentNode.dataset.method, [Number(mark.getAttribute("cx")), Number(mark.getAttribute("cy"))]]));""")
 

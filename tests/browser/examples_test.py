@@ -1,9 +1,9 @@
-"""Every shipped scene as a page: it opens, is small, and its view from the eye agrees with `raycheck image`."""
+"""Every shipped scene as a page: the page opens and is small, and its view from the eye agrees with `raycheck image`."""
 import pages
 from eye import EyeTest
 from pages import EXAMPLES, page_of, said
 
-MOST_BYTES = 1_500_000  # of 16 x 16 pixels and ten spheres
+MOST_BYTES = 1_500_000  # for 16 x 16 pixels and ten spheres
 MOST_BYTES_LARGE = 10_000_000
 
 

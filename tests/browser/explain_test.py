@@ -13,7 +13,7 @@ UNIT = ((0, 0, 0), 1)
 LEAST = 5e-324  # the smallest double
 BELOW_1 = 1 - 2**-53
 ABOVE_1 = 1 + 2**-52
-# Of each page: its rays, its spheres.
+# For each page: its rays, its spheres.
 GIVEN = {
     "tangent": ([((-5, y, 0), (1, 0, 0)) for y in (1, BELOW_1, ABOVE_1, -1)], [UNIT]),
     "surface": ([((-1, 0, 0), (1, 0, 0)), ((-1, 0, 0), (-1, 0, 0)), ((-1, 0, 0), (0, 1, 0)), ((0.6, 0.8, 0), (-3, 1, 0.5)),
@@ -27,15 +27,15 @@ GIVEN = {
     "least": ([((0, 0, 0), (1, 0, 0)), ((-1e-300, 0, 0), (1, LEAST, 0))], [((1e-310, 0, 0), LEAST)]),
     "coincident": ([((-5, 0.3, 0.1), (1, 0, 0)), ((0.1, 0, 0), (0, 1, 1))], [UNIT, UNIT]),
 }
-CAMERAS = {  # of each: its pixels, its camera, its sphere
+CAMERAS = {  # for each: its pixels, its camera, its sphere
     "wide": ([(0, 0), (1, 1), (2, 1)], {"eye": (0, 0, 0), "look_at": (0, 0, -1), "up": (0, 1, 0), "near": -1, "left": -1e6,
              "right": 1e6, "bottom": -1e6, "top": 1e6, "width": 3, "height": 3}, ((1e6, 2, -1.5), 3)),
     "tilted": ([(4, 3), (7, 0), (2, 5), (3, 3)], {"eye": (1e3, 0.1, 6), "look_at": (0.25, 0.5, 0), "up": (0.25, 1, 0.3), "near": -2,
                "left": -0.3, "right": 0.25, "bottom": -0.2, "top": 0.3, "width": 8, "height": 6}, ((0.25, 0.5, 0), 40)),
 }
-CLOSE = Decimal("5e-6")  # relative: the microscope tells six digits
-NOTHING = Decimal(2) ** -29  # ulp: less is told as 0
-NO_SIDE = Decimal("1e-1000")  # a ray that is so near to the centre goes through it
+CLOSE = Decimal("5e-6")  # relative: the microscope shows six digits
+NOTHING = Decimal(2) ** -29  # ulp: smaller distances are shown as 0
+NO_SIDE = Decimal("1e-1000")  # a ray that is nearer to the centre counts as passing through it
 
 
 def triple(values):
@@ -85,7 +85,7 @@ class Told:
     name: str
     arguments: tuple  # of explain
     length: Decimal  # of the direction
-    exact: dict  # the steps, by their symbols; s and Q are there where it is a hit
+    exact: dict  # the steps, by their symbols; with s and Q for a hit
     text: str
     microscope: dict
     copied: dict

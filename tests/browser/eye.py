@@ -1,4 +1,4 @@
-"""The view from the eye, as the figure draws it, beside the certified picture of `raycheck image`."""
+"""Compares the figure's view from the eye with the certified picture of `raycheck image`."""
 from pages import PageTest, ran, said, temporary
 
 BACKGROUND = (16, 18, 24)  # of a pixel without a sphere
@@ -6,7 +6,7 @@ MOST_DIFFERING = 0.05  # of the pixels at outlines
 
 
 def certified(scene, width, height, rows, sphere_colours):
-    """Rows, j = 0 first, of each pixel's nearest sphere, -1 for background, as painted by `raycheck image`."""
+    """The nearest sphere of each pixel, -1 for background, as `raycheck image` paints it; in rows, j = 0 first."""
     path = temporary("certified.ppm")
     ran("image", scene, "--size", f"{width},{height}", "--out", path)
     magic, size, greatest, data = path.read_bytes().split(b"\n", 3)
@@ -17,7 +17,7 @@ def certified(scene, width, height, rows, sphere_colours):
 
 
 def sphere_of(colour, sphere_colours):
-    """Whose shade a colour is, of "#rrggbb" each; -1: the background's. Shades of one hue have the same ratios."""
+    """The sphere of which a colour is a shade, or -1 for the background. Shades of one hue have the same ratios."""
     if colour == BACKGROUND:
         return -1
 
@@ -32,7 +32,8 @@ def around(i, j, width, height):
     return [(a, b) for a in range(max(i - 1, 0), min(i + 2, width)) for b in range(max(j - 1, 0), min(j + 2, height))]
 
 
-# The sphere that each of width x height pixels of the view from the eye shows, -1 for none; row j = 0 first.
+# The sphere that each of width x height pixels of the view from the eye shows, or -1; row j = 0
+# comes first.
 DRAWN = """const [width, height] = arguments;
   const { figure } = raycheckPage.store.scene();
   const { camera, spheres } = figure;
@@ -61,7 +62,7 @@ DRAWN = """const [width, height] = arguments;
 
 class EyeTest(PageTest):
     def check_eye(self, scene, width, height):
-        """The open page's view from the eye with this number of pixels, as if the scene had them: it differs from the
+        """Checks the open page's view from the eye with this number of pixels, as if the scene had them. It differs from the
         certified picture only at outlines or beside them, and only at few of these."""
         rows, colours = self.run_script("""const { camera, spheres } = raycheckPage.store.scene().figure;
           return [camera.rows, spheres.colour];""")

@@ -1,15 +1,16 @@
-"""The view from the eye of spheres that are hard to draw: far, tiny, huge, behind, around the eye; mirrored and turned cameras."""
+"""The view from the eye: spheres that are far, tiny, huge, behind or around the eye; mirrored and turned cameras."""
 import pages
 from eye import EyeTest
 from pages import page_of, temporary
 
 CAMERA = {"eye": "[0, 0, 0]", "look_at": "[0, 0, -1]", "up": "[0, 1, 0]", "near": -1, "left": -1, "right": 1, "bottom": -0.75,
           "top": 0.75, "width": 3, "height": 2}
-SIZE = (80, 60)  # pixels of what is compared: the scene has a few, of which a page is soon made
+SIZE = (80, 60)  # pixels that are compared: few, so that the page is made quickly
 NEAR_ONES = [("[0.5, 0.25, -4]", 1.5), ("[-0.75, -0.5, -3]", 0.75), ("[0, 0.5, -8]", 3)]
 MIRRORED = {"left": 1, "right": -1}
 FLIPPED = {"bottom": 0.75, "top": -0.75}
-# Of each: changes of the camera, the conventions, the spheres, and how many of these are seen.
+# For each: changes of the camera, the conventions, the spheres, and the number of spheres that are
+# seen.
 CASES = {
     "plain": ({}, {}, NEAR_ONES, 3),
     "mirrored": (MIRRORED, {}, NEAR_ONES, 3),

@@ -13,7 +13,7 @@ import time
 
 SCRIPT_SECONDS = 600  # a backstop: pages open in seconds, on a busy machine in minutes
 START_SECONDS = 60
-# WebGL on processors is refused unless it is asked for; the port is one that is free.
+# WebGL on processors must be requested; the port is a free one.
 PREFERENCES = {"webgl.force-enabled": True, "marionette.port": 0, "datareporting.policy.dataSubmissionEnabled": False,
                "network.captive-portal-service.enabled": False, "app.update.disabledForTesting": True}
 

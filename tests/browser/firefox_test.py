@@ -1,4 +1,4 @@
-"""Pages in Firefox: they open, make no requests, and show the same."""
+"""Pages in Firefox: they open, make no requests, and show what they show in Chromium."""
 import shlex
 import unittest
 

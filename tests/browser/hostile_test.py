@@ -1,4 +1,4 @@
-"""Text that would do harm as HTML: names of files, messages of candidates, contents of scenes."""
+"""Texts that would do harm as HTML: names of files, messages of candidates, contents of scenes."""
 import shutil
 import subprocess
 
@@ -10,7 +10,7 @@ NAME = f"</script>{ALERT}.toml"  # a folder "<", and in it a file
 BIDI = "\u202e\u2066\u200f"
 SPOKEN = f"""</script></title></style>-->{ALERT}"'`&lt;\\u003c{BIDI}"""
 LONG = "<b>" * 34_000  # over 10^5 characters
-# Every element of a page that it does not have by itself, and its scripts.
+# Elements that pages do not have by themselves, and the scripts of the page.
 FOREIGN = """const own = new Set(document.querySelectorAll("svg, svg *, math, math *"));
   const made = [...document.querySelectorAll("*")].filter((one) => !own.has(one));
   return [made.filter((one) => /^(img|b|iframe|object|embed|base|form|link|meta)$/.test(one.localName)
@@ -22,7 +22,7 @@ SAYS = "def intersect(ray, sphere, asked):\n    raise ValueError({!r})\n"
 
 class HostileText(PageTest):
     def page(self, *arguments):
-        """A page made in the folder of this run, so that its paths are short."""
+        """Makes a page in the folder of this run, so that its paths are short."""
         out = temporary("hostile.html")
         made = subprocess.run([Shared.program, "view", *arguments, "--out", out], cwd=Shared.folder, text=True, capture_output=True)
         self.assertEqual(made.returncode, 0, made.stderr)
@@ -35,12 +35,12 @@ class HostileText(PageTest):
         return name
 
     def check_plain(self, plain):
-        """Texts do not make elements: the page has only those of a page of plain text."""
+        """Texts do not become elements: the page has only the elements of a page with plain text."""
         self.assertEqual(self.run_script(FOREIGN), plain)
         self.assertFalse(self.run_script("return 'alerted' in window"))
 
     def everything_seen(self):
-        """All details open, every layer and ray of the figure drawn."""
+        """Opens all details, and draws every layer and ray of the figure."""
         self.run_script("""for (const one of document.querySelectorAll("details")) one.open = true;
           raycheckPage.store.set({ layers: { rays: "all", names: true } });
           for (const button of document.querySelectorAll("#panel .copy button")) button.click();""")

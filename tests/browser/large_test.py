@@ -1,4 +1,4 @@
-"""Scenes of many pixels and many spheres: their pages show a part, and report the rest as left out."""
+"""Scenes of many pixels and many spheres: their pages show a part, and say what they leave out."""
 import random
 
 import pages

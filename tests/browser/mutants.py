@@ -13,7 +13,8 @@ import subprocess
 import sys
 
 TESTS = pathlib.Path(__file__).resolve().parent
-# For each: the test that must fail, the replaced text of the page, and its replacement.
+# For each mutant: the test that must fail, the text of the page that is replaced, and its
+# replacement.
 MUTANTS = {
     "error in the console": ("examples", "await runThree();", 'await runThree(); console.error("x");'),
     "a request": ("examples", "await runThree();", 'await runThree(); new Image().src = "http://127.0.0.1:9/";'),

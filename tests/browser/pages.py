@@ -1,7 +1,7 @@
 """Shared by the tests of pages: the program, the pages that it makes, and one browser for all tests of a file.
 
-A file of tests is run as `python3 FILE PROGRAM [unittest's arguments]`. It exits with 0, with 1 where a test failed, and
-with 77 where one was skipped, which it says in a sentence. No test asserts a time unless RAYCHECK_BROWSER_TIMES=1.
+A file of tests is run as `python3 FILE PROGRAM [unittest's arguments]`. It exits with 0, with 1 if a test failed, and
+with 77 if a test was skipped; then it prints the reason. Tests assert times only with RAYCHECK_BROWSER_TIMES=1.
 """
 import os
 import pathlib
@@ -16,10 +16,10 @@ import webdriver
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 EXAMPLES = sorted((ROOT / "scene/examples").iterdir())
 NPM = ROOT / "build/npm/node_modules"  # made by `./run packages ci`
-MOST_SECONDS = 3  # that a page may take to open
+MOST_SECONDS = 3  # the longest time in which a page must open
 SKIPPED = 77  # ctest's exit code for a skipped test
 
-# Resolves once the page is ready and has been drawn, with the milliseconds since it was asked for.
+# When the page is ready and drawn, resolves to the milliseconds since it was requested.
 READY = """return window.raycheckPage.ready.then(() => new Promise((done) =>
   requestAnimationFrame(() => requestAnimationFrame(() => done(performance.now())))));"""
 
@@ -41,7 +41,7 @@ def ran(*arguments):
 
 
 def temporary(name, text=None):
-    """A path in the folder of this run; with a text, the file is written."""
+    """A path in the folder of this run. If there is a text, it is written to the file."""
     path = Shared.folder / name
     if text is not None:
         path.write_text(text)
@@ -49,7 +49,7 @@ def temporary(name, text=None):
 
 
 def candidate(file, intersect, name="-"):
-    """A path in the folder of this run: a candidate in Python, whose lines these are before it is asked."""
+    """Writes a Python candidate that begins with these lines of code, and returns its path."""
     return temporary(file, f"""import sys
 sys.path.insert(0, {str(ROOT / "tools/external/adapters")!r})
 import raycheck_candidate as rc
@@ -59,7 +59,7 @@ rc.run({name!r}, intersect=intersect)
 
 
 def page_of(*arguments, option="--out"):
-    """The page that `raycheck view ARGUMENTS` writes, or another command with its `--view`; the same arguments are asked once."""
+    """The page that `raycheck view ARGUMENTS` writes, or with `option` another command; cached by its arguments."""
     if arguments not in Shared.pages:
         path = temporary(f"{len(Shared.pages)}.html")
         ran(*(("view",) if option == "--out" else ()), *arguments, option, path)
@@ -108,7 +108,7 @@ class PageTest(unittest.TestCase):
             return
         problems = cls.browser.problems()
         if len(problems) != cls.expected_problems:
-            raise AssertionError(f"the console was told {problems}")
+            raise AssertionError(f"the console shows {problems}")
         asked = cls.browser.requests()
         if asked != [f"file://{page}"]:
             raise AssertionError(f"{page} asked for {asked}")
@@ -118,7 +118,7 @@ class PageTest(unittest.TestCase):
 
 
 def said(text):
-    """A line in the test's output, for people."""
+    """Prints a line to the test's output."""
     print(text, file=sys.stderr, flush=True)
 
 

@@ -49,7 +49,7 @@ class Lint(PageTest):
                 self.assertEqual(self.complaints(module.read_text(), "module"), [])
 
     def test_the_modules_together(self):
-        """As they are in a page: no name is missing or unused."""
+        """The bundled script, as in a page: no name is missing or unused."""
         page = page_of(ROOT / "scene/examples/first-camera.toml").read_text()
         script = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)[-1]
         self.assertGreater(len(script), 10_000)

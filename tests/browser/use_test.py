@@ -1,4 +1,4 @@
-"""A page as people use it: clicks, keys, findings, methods, the divider, the dial; and all of it without WebGL."""
+"""A page in use: clicks, keys, findings, methods, the divider, the dial; with and without WebGL."""
 import math
 import unittest
 
@@ -22,7 +22,7 @@ class Use(PageTest):
         self.browser.click_at("#picture-view", ((i + 0.5) / width - 0.5) * across, ((row + 0.5) / height - 0.5) * down)
 
     def check_shown(self, pixel):
-        """All parts of the page show that pixel."""
+        """Checks that all parts of the page show this pixel."""
         self.assertEqual(self.selection()["pixel"], pixel)
         place = f"pixel ({pixel[0]}, {pixel[1]})"
         self.assertTrue(self.text("#headline .place").startswith(place), self.text("#headline .place"))
@@ -101,7 +101,7 @@ class Use(PageTest):
           done(raycheckPage.figure.panes[0].viewer))));""")
 
     def test_the_figure_is_turned_moved_and_zoomed(self):
-        """By mouse and by keys; neither chooses another pixel, and the wheel scrolls the page until the figure has the focus."""
+        """Mouse and keys move the figure without choosing another pixel; the wheel scrolls the page until the figure has the focus."""
         self.open(page_of(TEN))
         before, chosen = self.viewer(), self.selection()
         self.browser.wheel(".figure-stage", -100)
@@ -244,7 +244,7 @@ class Use(PageTest):
 
 
 class WithoutWebGL(unittest.TestCase):
-    """As above, in a browser without WebGL."""
+    """The tests above, in a browser without WebGL."""
 
     def test_a_page_still_has_all_but_the_view_in_space(self):
         if reason := webdriver.missing():

@@ -9,7 +9,7 @@ import re
 import shutil
 import subprocess
 
-ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # how WebDriver names an element (section 11)
+ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # WebDriver's name for an element (section 11)
 KEYS = {"ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015", "Shift": "\ue008"}
 SCRIPT_SECONDS = 600  # a backstop: pages open in seconds, on a busy machine in minutes
 
@@ -95,7 +95,7 @@ class Browser:
         return self.addresses("Network.requestWillBeSent", "request")
 
     def answered(self):
-        """Those of them that the page's policy allowed. Either of these calls clears the log of both."""
+        """The requested addresses that the page's policy allowed. This call and requests() clear each other's log."""
         return self.addresses("Network.responseReceived", "response")
 
     def addresses(self, event, what):
@@ -131,7 +131,7 @@ class Browser:
             {"type": "scroll", "origin": self.find(selector), "x": 0, "y": 0, "deltaX": 0, "deltaY": down}]}]})
 
     def press(self, *names, hold=None):
-        """Presses keys, one after the other, while another is held; they go to what has the focus."""
+        """Presses keys one after the other, while another key is held; the focused element gets them."""
         held = [{"type": "keyDown", "value": KEYS[hold]}] if hold else []
         strokes = [{"type": kind, "value": KEYS.get(name, name)} for name in names for kind in ("keyDown", "keyUp")]
         released = [{"type": "keyUp", "value": KEYS[hold]}] if hold else []

@@ -1,4 +1,4 @@
-// Computes parts of docs/what-is-caught.md again.
+// Checks parts of docs/what-is-caught.md by computing them again.
 
 #include "fast/intersect.h"
 #include "tests/caught/page.h"
@@ -76,7 +76,7 @@ TEST_P(EachReport, IsFoundByTheDefaultRunAsOnThePage) {
   const FoundReport its = found(candidate_of(report));
   EXPECT_EQ(!its.law.empty(), report.is_found) << report.mutant;
   EXPECT_EQ(its.sentences, report.sentences) << report.mutant;
-  // Reports without a named cause, or not found, are listed with what is needed for that.
+  // If a report is not found, or has no named cause, the table says what is needed for it.
   EXPECT_EQ(report.sentences.empty(), !report.needed.empty()) << report.mutant;
   const std::string line = line_of(report, its);
   EXPECT_NE(page().find("\n" + line), std::string::npos) << line << "./run caught";
@@ -97,7 +97,7 @@ TEST(KnownReports, AreMadeFromACandidateThatBreaksNoLaw) {
   }
 }
 
-/// The prose of the page comes from its template.
+/// The text of the page comes from its template.
 TEST(WhatIsCaught, IsWrittenFromItsTemplate) {
   std::ifstream file(std::string(RAYCHECK_SOURCE_DIR) + "/docs/what-is-caught.in.md");
   const std::string text = page();

@@ -45,7 +45,7 @@ std::vector<T> list_of(std::span<const T> values) {
   return {values.begin(), values.end()};
 }
 
-/// A function of a candidate about pixels of a camera.
+/// Makes a candidate's function about the pixels of a camera.
 template <class Answer, class Make>
 auto of_pixels(Make make) {
   using Kept = Remembered<std::vector<Answer>, Camera, Conventions, std::vector<Pixel>>;
@@ -68,7 +68,7 @@ Ray rounded_ray(const ExactRay& ray) {
 }
 
 FrameAnswer rounded_frame(const Camera& camera) {
-  // A single row of pixels cannot be sampled at edges; the frame is the same.
+  // One row of pixels cannot be sampled at edges; the frame does not depend on that.
   Conventions conventions;
   conventions.samples = scene::Samples::kCentres;
   const reference::RoundedFrame frame = ExactCamera(camera, conventions).rounded_frame();

@@ -5,7 +5,7 @@
 
 namespace raycheck::caught {
 
-// The types of candidates.
+// For the types of candidates.
 using namespace properties;
 using namespace scene;
 
@@ -13,7 +13,7 @@ using namespace scene;
 struct Sighting {
   std::optional<properties::HitAnswer> hit;  ///< Correctly rounded.
   double to_tangency = 0;  ///< |b - r| / r of the impact parameter b, to first order.
-  double middle = 0;       ///< s where the line is nearest to the centre.
+  double middle = 0;       ///< s of the line's point nearest to the centre.
 };
 
 /// The hits of a ray, in the order of the spheres.
@@ -37,11 +37,12 @@ class Remembered {
   }
 
  private:
-  static constexpr std::size_t kMost = 24;  ///< A case and its variants by laws.
+  /// Room for a case and the variants that laws make of it.
+  static constexpr std::size_t kMost = 24;
   std::deque<std::pair<std::tuple<Asked...>, Answer>> kept_;
 };
 
-/// The truth about rays and spheres, with a cache of the last answers.
+/// The truth about rays and spheres, with a cache of the latest answers.
 class Sights {
  public:
   using Rays = std::vector<scene::Ray>;
@@ -57,23 +58,23 @@ class Sights {
   Remembered<std::vector<Sight>, scene::Scene, scene::Conventions, Pixels> of_pixels_;
 };
 
-/// The domain in which correctly rounded answers are within the bounds: quotients of such lengths
-/// are normal doubles.
+/// The domain in which correctly rounded answers are within the bounds, because quotients of such
+/// lengths are normal doubles.
 inline constexpr properties::Domain kRoundedDomain = {.smallest_length = 0x1p-500,
                                                       .largest_length = 0x1p500,
                                                       .smallest_camera_length = 0x1p-250,
                                                       .largest_camera_length = 0x1p250};
 
-/// Changes the hits of the spheres; the nearest is the one of the least s.
+/// Changes the hits of the spheres. The nearest sphere is the one with the least s.
 using ChangeSight = std::function<void(Sight&)>;
 
-/// Makes a candidate answer the truth with a change, in all its decisions.
+/// Makes all decisions of a candidate follow the truth with this change.
 void answer_by_sights(properties::Candidate& candidate, const std::shared_ptr<Sights>& sights,
                       const std::shared_ptr<Sights::Pixels>& looked_at, const ChangeSight& change);
 
-/// `exact`: every answer is the exact one, correctly rounded, and cached. It is judged like
-/// third-party code: by the bounds of direct/cross, with no domain, and no promise of exact hit
-/// classes. An image shows only the pixels that are `looked_at`.
+/// `exact`: every answer is exact, correctly rounded, and cached. It is judged like third-party
+/// code: by the bounds of direct/cross, without a domain and without a promise of exact hit
+/// classes. An image shows only the pixels `looked_at`.
 properties::Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
                                       const std::shared_ptr<Sights::Pixels>& looked_at);
 

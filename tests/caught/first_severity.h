@@ -14,11 +14,12 @@ inline constexpr int kMutantCases = 100;
 struct FirstCaught {
   const mutants::Mutant* mutant;
   const properties::Law* law;
-  /// The lowest of kFewSeverities, or 0 for a source without severities; empty: it is not caught.
+  /// The lowest of kFewSeverities severities, or 0 for a source without severities; empty if it is
+  /// not caught.
   std::optional<int> severity = {};
 };
 
-/// Every mutant with each of its laws that suits the source.
+/// The results for every mutant and each of its laws that suits the source.
 std::vector<FirstCaught> first_caught(const properties::CaseSource& source,
                                       std::span<const mutants::Mutant> mutants);
 

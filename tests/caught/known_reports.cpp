@@ -35,7 +35,8 @@ Hit point_at_a_radius(const Ray& ray, const Sphere& sphere, const Conventions& c
   return hit;
 }
 
-/// s measured from the origin in the sphere's space (centred, in radii) to a point of the world.
+/// s is measured from the origin in the sphere's space (centred, in radii) to a point in world
+/// space.
 Hit measured_from_a_moved_origin(const Ray& ray, const Sphere& sphere,
                                  const Conventions& conventions) {
   Hit hit = right(ray, sphere, conventions);
@@ -77,7 +78,7 @@ Hit quadratic_in_floats(const Ray& ray, const Sphere& sphere, const Conventions&
       conventions);
 }
 
-/// v - d and v + d of right v and d.
+/// The roots v - d and v + d, added in floats, of right v and d.
 Hit sums_in_floats(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
   Roots roots = right_roots(ray, sphere);
   const auto v = static_cast<float>(roots.axial_distance);
@@ -159,7 +160,7 @@ std::span<const KnownReport> known_reports() {
        "a ray from inside misses: the far root is not returned, or not looked for",
        "inside-is-missed",
        inside_is_missed,
-       {"right under root = smaller, which it does not declare",
+       {"right under root = smaller, which the candidate does not declare",
         "only the near root counts, so that spheres around the origin are not seen"}},
       {"g-truc/glm#8",
        "the centre is ignored: the sphere is taken to be about the origin",
@@ -183,12 +184,12 @@ std::span<const KnownReport> known_reports() {
        "directions that are not unit are taken for unit ones",
        "unit-is-assumed",
        unit_is_assumed,
-       {"directions are taken for unit ones, whatever their length"}},
+       {"directions are taken for unit vectors, whatever their length"}},
       {"Rajawali/Rajawali#2356",
        "the hit point is a distance times the unnormalised direction",
        "length-along-the-direction",
        length_along_the_direction,
-       {"s is a length, and Q = L + s D though D is not a unit vector"}},
+       {"s is a length, but Q = L + s D with a D that is not a unit vector"}},
       {.thread = "ziotom78/pytracer#22, TzuChieh/Photon-v2#7",
        .said = "in floats, rays from far away miss small spheres",
        .mutant = "quadratic-in-floats",
@@ -201,8 +202,9 @@ std::span<const KnownReport> known_reports() {
        .said = "in floats, -b + sqrt(b^2 - c) cancels near a planet's surface",
        .mutant = "sums-in-floats",
        .hit = sums_in_floats,
-       .needed = "nothing: a camera that far from the planet's centre loses as much when rounded "
-                 "to floats, and, as the thread says, the stable formula does not help",
+       .needed = "nothing: so far from the planet's centre, rounding the camera's position to "
+                 "floats loses as many digits, and, as the thread says, the stable formula does "
+                 "not help",
        .is_found = false,
        .precision = scene::Precision::kSingle},
       {"OGRECave/ogre#141",

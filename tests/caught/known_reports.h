@@ -10,16 +10,17 @@ namespace raycheck::caught {
 using namespace properties;
 using namespace scene;
 
-/// A report about rays and spheres from the tracker of a library, and its mutant.
+/// A report about rays and spheres from a library's issue tracker, and a mutant with the reported
+/// fault.
 struct KnownReport {
   std::string_view thread;  ///< "owner/name#number", or several that report the same.
   std::string_view said;
   std::string_view mutant;  ///< The name of its mutant.
-  /// The reported formula; everything else is right.
+  /// The reported formula; everything else of the mutant is right.
   properties::Hit (*hit)(const scene::Ray&, const scene::Sphere&, const scene::Conventions&);
-  /// The causes that the default run must name, over all broken laws.
+  /// The causes that the default run must name, in all broken laws together.
   std::vector<std::string> sentences = {};
-  /// If no cause is named, or a wrong one: what is needed for the right one.
+  /// If no cause or a wrong cause is named: what is needed for the right one.
   std::string_view needed = {};
   bool is_found = true;
   scene::Precision precision = scene::Precision::kDouble;
@@ -28,11 +29,11 @@ std::span<const KnownReport> known_reports();
 
 /// The result of `raycheck properties --candidate` for a mutant.
 struct FoundReport {
-  /// The first broken law, its source, and the number of its cases until then; empty: no law
+  /// The first broken law, its source, and the number of its cases until then; empty if no law
   /// breaks.
   std::string law, source;
   std::int64_t cases = 0;
-  std::vector<std::string> sentences;  ///< The causes of all laws, each once.
+  std::vector<std::string> sentences;  ///< The causes in all laws, each once.
 };
 properties::Candidate candidate_of(const KnownReport& report);
 FoundReport found(const properties::Candidate& candidate);

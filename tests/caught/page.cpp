@@ -128,7 +128,7 @@ std::string mutant_tables(const std::vector<OfSource<FirstCaught>>& found) {
       if (of_cameras && !source->has_camera) continue;
       head.emplace_back(source->name);
       for (const FirstCaught& row : rows) {
-        if (speaks_of_cameras(*row.law) != of_cameras) continue;
+        if (is_about_cameras(*row.law) != of_cameras) continue;
         const auto [at, is_new] = cells.try_emplace({row.mutant, row.law});
         if (is_new) order.push_back(at->first);
         at->second.push_back(cell_of(row, *source));
@@ -216,7 +216,7 @@ std::string severity_tables(const std::vector<OfSource<Resolution>>& found) {
       {"order", "nearest-sphere"}};
   std::string text;
   for (const auto& [kind, law] : shown) {
-    std::string table = head_of({"family", "severities", "k noticed at each"});
+    std::string table = head_of({"source", "severities", "k noticed at each"});
     for (const auto& [source, rows] : found) {
       if (!source->severities) continue;
       for (const Resolution& row : rows) {

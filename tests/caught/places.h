@@ -7,10 +7,10 @@
 
 namespace raycheck::caught {
 
-/// The number of severities of a source for the tables by severity.
+/// The number of severities of a source in the tables by severity.
 inline constexpr int kFewSeverities = 18;
 
-/// A source at each severity that is judged, the lowest first; without one if it has none.
+/// A source at each severity that is judged, the lowest first; a source without severities once.
 inline std::vector<properties::ChosenSource> places_of(const properties::CaseSource& source,
                                                        int most = properties::kMostSeverities) {
   if (!source.severities) return {{&source, std::nullopt}};
@@ -23,10 +23,11 @@ inline std::vector<properties::ChosenSource> places_of(const properties::CaseSou
 
 /// Whether a law applies to cases of a source.
 inline bool suits(const properties::Law& law, const properties::CaseSource& source) {
-  return source.has_camera || !properties::speaks_of_cameras(law);
+  return source.has_camera || !properties::is_about_cameras(law);
 }
 
-/// Calls visit(number, case) for the cases of a place, the same every time, while it returns true.
+/// Calls visit(number, case) for the cases of a place as long as it returns true. The cases are
+/// always the same.
 template <class Visit>
 void for_each_case(const properties::ChosenSource& place, int cases, Visit visit) {
   properties::Random seeds(1);

@@ -96,7 +96,7 @@ Candidate shifted_P(const ExactParts& exact, double size) {
   return with_points(exact, [size](const Camera&, const Point3& P) { return times(1 + size, P); });
 }
 
-/// The plane is turned about the camera's `up` through the eye.
+/// The plane is turned about the axis through the eye along `up`.
 Candidate turned_P(const ExactParts& exact, double size) {
   return with_points(exact, [size](const Camera& camera, const Point3& P) {
     const Vector3 up = times(size / std::hypot(camera.up.x, camera.up.y, camera.up.z), camera.up);
@@ -119,7 +119,7 @@ Candidate skewed_axes(const ExactParts& exact, double size) {
                     [size](FrameAnswer& frame) { frame.U = sum(frame.U, times(size, frame.W)); });
 }
 
-// Wrong decisions of every kind: hits, nearest spheres, pixels.
+// Wrong decisions about hits, nearest spheres and pixels.
 
 void rank(Sight& sight) {
   const auto is_hit = [&](std::size_t k) { return sight.spheres[k].hit.has_value(); };
@@ -140,7 +140,7 @@ Candidate with_sights(const ExactParts& exact, const ChangeSight& change) {
   return candidate;
 }
 
-/// Hit and miss exchanged where |b - r| < size r, b the impact parameter.
+/// Hit and miss are exchanged if |b - r| < size r, where b is the impact parameter.
 Candidate flipped_band(const ExactParts& exact, double size) {
   return with_sights(exact, [size](Sight& sight) {
     for (Sighting& sphere : sight.spheres) {
@@ -164,7 +164,7 @@ Candidate epsilon_in_s(const ExactParts& exact, double size) {
   });
 }
 
-/// Of spheres whose s differ by less than size s the farthest is taken for the nearest.
+/// If the s of spheres differ by less than size s, the farthest is taken for the nearest.
 Candidate farther_sphere(const ExactParts& exact, double size) {
   return with_sights(exact, [size](Sight& sight) {
     if (!sight.nearest) return;
@@ -188,13 +188,13 @@ std::vector<Candidate> injected(const ErrorKind& kind, const ExactParts& exact) 
   return candidates;
 }
 
-/// One kind of error, and the errors that its laws noticed so far.
+/// One kind of error, and the smallest errors that its laws have noticed so far.
 struct Ladder {
   std::vector<Candidate> candidates;
   std::vector<Resolution> resolutions;
 };
 
-/// Tries smaller errors than the smallest noticed one while they are noticed.
+/// Tries smaller and smaller errors as long as they are noticed.
 void descend(const Law& law, const Case& the_case, const std::vector<Candidate>& candidates,
              properties::SharedTruths& truths, std::optional<int>& noticed) {
   for (std::size_t next = noticed ? std::size_t(*noticed) + 1 : 0; next < candidates.size();

@@ -15,23 +15,24 @@ struct ExactParts {
   properties::Candidate candidate = exact_candidate(sights, looked_at);
 };
 
-/// A kind of error, as large as base^-k.
+/// A kind of error of the size base^-k.
 struct ErrorKind {
   std::string_view name;      ///< "s"
   std::string_view sentence;  ///< "s times 1 + 2^-k"
   /// The laws that might notice it.
   std::vector<std::string_view> laws;
   properties::Candidate (*inject)(const ExactParts& exact, double size);
-  bool of_rays_made = false;  ///< It is in rays made from a camera, not in given ones.
+  /// Whether it is in rays made from a camera. If not, it is in answers about given rays.
+  bool of_rays_made = false;
   int base = 2;
-  int smallest = 53;  ///< The largest k: no double differs by less.
+  int smallest = 53;  ///< The largest k; doubles cannot differ by less.
 };
 
 std::span<const ErrorKind> error_kinds();
 
-/// The number of cases of a source, over kFewSeverities of its severities in turn, to notice an
-/// error. A case of given rays has one ray; a case of a camera has several, each with several
-/// spheres.
+/// The number of cases of a source in which an error may be noticed, with kFewSeverities of its
+/// severities in turn. A case of given rays has one ray; a case of a camera has several rays, and
+/// several spheres.
 constexpr int resolution_cases(const properties::CaseSource& source) {
   return source.has_camera ? 300 : 10000;
 }
@@ -40,12 +41,15 @@ constexpr int resolution_cases(const properties::CaseSource& source) {
 struct Resolution {
   const ErrorKind* kind;
   const properties::Law* law;
-  /// base^-k is the smallest error noticed, with all larger ones; empty: not even 1.
+  /// base^-k is the smallest error that is noticed together with all larger errors; empty if not
+  /// even 1 is.
   std::optional<int> noticed = {};
-  std::map<int, int> by_severity = {};  ///< The same at each severity that noticed any.
+  /// The same k at each severity at which an error is noticed.
+  std::map<int, int> by_severity = {};
 };
 
-/// The resolutions of the laws wanted (empty: all) on a source, for the kinds wanted.
+/// The resolutions on a source, for the laws and kinds of errors that are wanted; an empty list
+/// means all.
 std::vector<Resolution> resolutions(const properties::CaseSource& source, int cases,
                                     std::span<const ErrorKind* const> kinds,
                                     std::span<const properties::Law* const> laws = {});

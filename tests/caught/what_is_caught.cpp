@@ -30,7 +30,7 @@ std::vector<caught::OfSource<caught::Resolution>> small_errors(std::optional<int
   });
 }
 
-/// A template with its marks filled in; only tables with a mark are computed.
+/// A template with its marks replaced. Only tables with a mark are computed.
 std::string filled(std::string text, std::optional<int> cases) {
   const std::vector<mutants::Mutant> all = mutants::all_mutants();
   std::optional<std::vector<caught::OfSource<caught::Resolution>>> kept;

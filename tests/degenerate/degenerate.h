@@ -10,10 +10,10 @@ namespace raycheck::degenerate {
 using namespace properties;
 using namespace scene;
 
-/// A right candidate, except for one part that computes nothing from its input.
+/// A candidate that is right except for one part, which computes nothing from its input.
 struct Degenerate {
   std::string_view sentence;
-  /// The laws that break it wherever its answers differ from the right ones.
+  /// The laws that must be broken whenever its answers differ from the right ones.
   std::vector<std::string_view> broken_by;
   properties::Candidate candidate;
 };
@@ -21,7 +21,7 @@ struct Degenerate {
 /// Every degenerate candidate, each made from the right one; their names differ.
 std::vector<Degenerate> all_degenerate(const properties::Candidate& right);
 
-// The same by the degenerate part, each in the file of its name.
+// The degenerate candidates by their degenerate part, each list in the file of its name.
 std::vector<Degenerate> degenerate_hits(const properties::Candidate& right);
 std::vector<Degenerate> degenerate_rays(const properties::Candidate& right);
 std::vector<Degenerate> degenerate_scenes(const properties::Candidate& right);
@@ -32,14 +32,14 @@ inline Candidate renamed(Candidate candidate, std::string name) {
   return candidate;
 }
 
-/// Lists, one after the other.
+/// Concatenates lists.
 inline std::vector<Degenerate> joined(std::vector<Degenerate> all,
                                       std::initializer_list<std::vector<Degenerate>> lists) {
   for (const std::vector<Degenerate>& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;
 }
 
-/// Random numbers that depend only on the question.
+/// A stream of random numbers that depends only on the question.
 inline properties::Random random_of(std::initializer_list<double> asked) {
   std::uint64_t sum = 0;
   for (const double x : asked)

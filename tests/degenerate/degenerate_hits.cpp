@@ -12,7 +12,7 @@ using reference::ExactRay;
 
 using Answer = std::function<Hit(const Ray&, const Sphere&, const Conventions&)>;
 
-/// Every ray is answered separately; the nearest sphere is the one of the least s.
+/// A candidate that answers every ray separately; its nearest sphere is the one with the least s.
 Candidate answering(Candidate candidate, std::string name, const Answer& answer) {
   candidate.name = std::move(name);
   properties::answer_by(candidate, [answer](Candidate::Rays rays, const Sphere& sphere,
@@ -24,7 +24,7 @@ Candidate answering(Candidate candidate, std::string name, const Answer& answer)
   return candidate;
 }
 
-/// The same with the right hit class: `value` returns the answer for hits.
+/// A candidate with right hit classes; `value` returns its answer for hits.
 Candidate knowing_the_class(const Candidate& right, std::string name,
                             const std::function<HitAnswer(const Ray&)>& value) {
   return answering(right, std::move(name),
@@ -35,11 +35,11 @@ Candidate knowing_the_class(const Candidate& right, std::string name,
                    });
 }
 
-/// One root whatever its sign, where the line meets the sphere.
+/// One root of the line, whatever its sign.
 Hit root_of_line(const Ray& ray, const Sphere& sphere, const Conventions& asked,
                  reference::WhichRoot root) {
   const ExactRay exact(ray);
-  // Both roots count for one of the two rays along the line, unless the line misses.
+  // Each root counts for one of the two rays along the line, unless the line misses.
   const Ray back = {ray.origin, {-ray.direction.x, -ray.direction.y, -ray.direction.z}};
   const auto ahead = exact.intersect(sphere);
   const auto behind = ExactRay(back).intersect(sphere);

@@ -1,5 +1,5 @@
-// Degenerate answers about whole scenes: the sphere that is seen, the pixels that a sphere may be
-// in, and whether a scene is valid.
+// Degenerate answers about whole scenes: the sphere that is seen, the pixels in which a sphere may
+// be, and whether a scene is valid.
 
 #include "tests/degenerate/degenerate.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 using See = std::function<std::optional<std::size_t>(const Scene&, const Pixel&)>;
 
-/// Shows the sphere of `see` through every pixel, and in every image.
+/// A candidate that shows the sphere of `see` in every pixel and every image.
 Candidate seeing(const Candidate& right, std::string name, const See& see) {
   Candidate candidate = renamed(right, std::move(name));
   candidate.visible = [see](const Scene& scene, const Conventions&, Candidate::Pixels pixels) {
@@ -33,18 +33,18 @@ std::vector<Degenerate> degenerate_sights(const Candidate& right) {
   return {
       {"nothing is ever seen",
        {"visible-sphere", "image"},
-       seeing(right, "sees-nothing",
+       seeing(right, "shows-nothing",
               [](const Scene&, const Pixel&) { return std::optional<std::size_t>(); })},
       {"every pixel shows the first sphere",
        {"visible-sphere", "image"},
-       seeing(right, "sees-first", [](const Scene&, const Pixel&) { return std::size_t{0}; })},
+       seeing(right, "shows-first", [](const Scene&, const Pixel&) { return std::size_t{0}; })},
       {"every pixel shows the last sphere",
        {"visible-sphere", "image"},
-       seeing(right, "sees-last",
+       seeing(right, "shows-last",
               [](const Scene& scene, const Pixel&) { return scene.spheres.size() - 1; })},
       {"every pixel shows a random sphere or none",
        {"visible-sphere", "image"},
-       seeing(right, "sees-any",
+       seeing(right, "shows-any",
               [](const Scene& scene, const Pixel& pixel) -> std::optional<std::size_t> {
                 auto random =
                     random_of({scene.camera->eye.x, static_cast<double>(pixel.i),
@@ -67,7 +67,7 @@ std::vector<Degenerate> degenerate_sights(const Candidate& right) {
   };
 }
 
-/// The right plan, with a changed statement about every sphere.
+/// A candidate whose plan is right except for the statement about every sphere.
 Candidate planning(const Candidate& right, std::string name,
                    const std::function<void(const Scene&, SpherePlan&)>& say) {
   Candidate candidate = renamed(right, std::move(name));
@@ -119,7 +119,7 @@ std::vector<Degenerate> degenerate_plans(const Candidate& right) {
   };
 }
 
-/// Changes the functions of a scene's parts, or those of whole scenes.
+/// Changes the functions about parts of a scene, or those about whole scenes.
 template <class Change>
 void change_parts(Candidate& candidate, const Change& change) {
   change(candidate.frame);
@@ -142,7 +142,7 @@ std::vector<Degenerate> degenerate_refusals(const Candidate& right) {
       throw std::invalid_argument("refused");
     };
   };
-  // Where the right one refuses, an empty answer.
+  // If the right function refuses, this one returns an empty answer.
   const auto answer = [](auto& function) {
     function = [ask = function](const auto&... asked) {
       try {

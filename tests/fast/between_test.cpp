@@ -1,4 +1,4 @@
-// The hit classes that a method can answer on a box, against its answers in that box.
+// Compares the hit classes that a method can answer on a box with its answers in the box.
 
 #include "fast/intersect.h"
 #include "properties/cases/random.h"
@@ -23,7 +23,7 @@ struct Question {
 };
 
 /// A ray that passes a far sphere at about its radius, so that the roundings of differences of
-/// squares decide, or starts near the surface of a close one.
+/// squares decide, or starts near the surface of a close sphere.
 Question grazing(Random& random) {
   Question made;
   const scene::Vector3 d = random.direction(), off = random.in_cube(1);
@@ -41,7 +41,7 @@ Question grazing(Random& random) {
   return made;
 }
 
-/// Both ends of a box about a question, of one number or of all.
+/// Both ends of a box about a question, in which one number varies or all do.
 std::pair<Question, Question> box_about(Question at, Random& random) {
   std::pair<Question, Question> ends = {at, at};
   const auto low = ends.first.numbers(), high = ends.second.numbers();
@@ -59,7 +59,8 @@ struct Seen {
   int decided_hits = 0, decided_misses = 0, open = 0, contradicted = 0;
 };
 
-/// The number of boxes with only one class by `claims`, and of those where `answers` has another.
+/// The number of boxes with only one class by `claims`, and of those in which `answers` has another
+/// class.
 Seen seen(const IntersectMethod& claims, const IntersectMethod& answers, int boxes) {
   Random random(7);
   Seen all;
@@ -99,7 +100,7 @@ TEST_P(EachFormula, StaysWithinItsPossibleClasses) {
   EXPECT_GT(of_own.open, 80);
 }
 
-/// The classes of one formula do not cover another's rounding errors.
+/// The classes of one formula do not cover the rounding errors of another.
 TEST_P(EachFormula, HasOtherClassesThanAnotherFormula) {
   const bool in_floats = GetParam()->unit_roundoff > 0x1p-50;
   EXPECT_GT(seen(*GetParam(), in_floats ? kRobust : kSingleLecture, 2000).contradicted, 8);

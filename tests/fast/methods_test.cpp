@@ -1,4 +1,4 @@
-// Properties of every method, exact ones included, that the laws do not test: batches, refusals,
+// Properties of every method, also of exact methods, that the laws do not test: batches, refusals,
 // ranking.
 
 #include "fast/camera_frame.h"
@@ -21,7 +21,7 @@ Rays batch_of(const std::vector<Ray>& given) {
   return rays;
 }
 
-/// A batch has the answers of single calls, to the bit. Returns how many of them are hits.
+/// A batch has the answers of single calls, to the bit. Returns the number of hits.
 int expect_batch_is_single_calls(const IntersectMethod& method, const std::vector<Ray>& rays,
                                  const Sphere& sphere, scene::HitRule rule) {
   Hits hits;
@@ -149,7 +149,7 @@ TEST(PixelRay, TakesBatchesOfAnySize) {
       const auto in_order = static_cast<std::size_t>(scattered[k].j * 200 + scattered[k].i);
       EXPECT_EQ(direction(single, k), direction(rays, in_order)) << method->name;
     }
-    method->focal_rays(camera, {}, {}, rays);  // a batch in use shrinks
+    method->focal_rays(camera, {}, {}, rays);  // rays that are in use shrink
     EXPECT_EQ(rays.size(), 0u);
     EXPECT_EQ(rays.direction.size(), 0u);
   }

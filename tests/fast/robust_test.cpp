@@ -1,5 +1,5 @@
-// The promise of the method `robust`: no wrong hit class and no s off by more than kRobust.max_ulp,
-// on any valid input.
+// Tests what the method `robust` promises for every valid input: no wrong hit class, and no s that
+// is off by more than kRobust.max_ulp.
 
 #include "fast/internal/robust.h"
 
@@ -22,11 +22,11 @@ using reference::HitClass;
 using reference::numbers_of;
 using namespace scene;
 
-/// The comparisons made, so that no test passes for lack of cases.
+/// Counts comparisons, so that no test passes for lack of cases.
 struct RobustAudit {
   int pairs = 0, hits = 0, tangents = 0, subnormal = 0, overflows = 0, wrong_classes = 0;
   double worst_s = 0;
-  std::string worst;  ///< Where worst_s or the last wrong class was.
+  std::string worst;  ///< The case of worst_s or of the last wrong class.
 };
 
 using Answer = std::optional<Hit> (*)(const Ray&, const Sphere&, HitRule);
@@ -85,7 +85,7 @@ void scale_anywhere(Random& random, Ray& ray, Sphere& sphere) {
   for (double* x : numbers_of(ray.direction)) *x = std::ldexp(*x, direction);
 }
 
-/// Cases of each source: 20,000, or RAYCHECK_ROBUST_CASES (a million, every night).
+/// The number of cases of each source: 20,000, or RAYCHECK_ROBUST_CASES (a million at night).
 std::uint64_t cases_of_each_source() {
   const char* const asked = std::getenv("RAYCHECK_ROBUST_CASES");
   return asked == nullptr ? 20000 : std::stoull(asked);
@@ -121,11 +121,11 @@ void small_integers(Random& random, Ray& ray, Sphere& sphere) {
   sphere.radius = static_cast<double>(random.integer(0, 5));
 }
 
-/// Pythagorean numbers: exact tangents and surface origins that are not on an axis.
+/// Pythagorean numbers: exact tangents, and origins on the surface that are not on an axis.
 void pythagorean(Random& random, Ray& ray, Sphere& sphere) {
   const double way = random.small_integer(1000);
   const auto place = [&](const scene::Vector3& v) { return scene::Point3{v.x, v.y, v.z}; };
-  if (random.one_in(3)) {  // c = 25 step^2: beside the surface, nearer than T's last bit
+  if (random.one_in(3)) {  // c = 25 step^2: near the surface, nearer than T's last bit
     const double step = std::ldexp(1.0, -static_cast<int>(random.integer(20, 300)));
     sphere = {{3, 4, 0}, 5};
     ray.origin = place({-4 * step, 3 * step, 0});
@@ -137,7 +137,7 @@ void pythagorean(Random& random, Ray& ray, Sphere& sphere) {
     const double n = radius / 7;
     ray.origin = place({2 * n + way * ray.direction.x, 3 * n + way * ray.direction.y,
                         6 * n + way * ray.direction.z});
-  } else {  // on the surface, anywhere to
+  } else {  // on the surface, in any direction
     sphere = {{0, 0, 0}, 5};
     ray.origin = random.one_in(2) ? place({3, 4, 0}) : place({0, -4, 3});
     ray.direction = {random.small_integer(9), random.small_integer(9), random.small_integer(9)};
@@ -164,7 +164,7 @@ TEST(Robust, IsRightOnTangentsAndSurfacesAndTheirNeighbours) {
   EXPECT_GT(audit.tangents, 3000);
 }
 
-/// A double of any size: the exponents of a case are all over the range, or near each other.
+/// A double of any size. The exponents of a case are all over the range, or close to each other.
 double any_double(Random& random, std::int64_t middle, std::int64_t spread) {
   if (random.one_in(8)) return 0;
   const auto exponent = middle + random.integer(-spread, spread);
@@ -195,7 +195,7 @@ TEST(Robust, IsRightOnComponentsOfAnyExponents) {
   EXPECT_GT(audit.overflows, 300);
 }
 
-/// Each step, given the exact case, must be right if it answers.
+/// If a step answers a case that is given exactly, it must be right.
 TEST(Robust, IsRightInEachOfItsSteps) {
   const Answer integers = [](const Ray& ray, const Sphere& sphere, HitRule rule) {
     return answer_by_integers(ray, sphere, rule).if_hit();
@@ -222,11 +222,11 @@ TEST(Robust, IsRightInEachOfItsSteps) {
   }
   expect_kept(by_integers, 20000, 8000);
   expect_kept(by_pairs, 20000, 8000);
-  // All but exact tangents and origins exactly on the surface.
+  // Not proven: exact tangents, and origins exactly on the surface.
   EXPECT_GT(proven, by_pairs.pairs * 8 / 10);
 }
 
-/// With a centre up to 2^26 radii from the world's origin.
+/// A sphere with a centre up to 2^26 radii from the world's origin.
 Sphere some_sphere(Random& random) {
   const double radius = std::exp2(random.between(-10, 10));
   const double reach = random.one_in(3) ? 0 : radius * std::exp2(random.between(-4, 26));
@@ -234,8 +234,8 @@ Sphere some_sphere(Random& random) {
   return {{reach * place.x, reach * place.y, reach * place.z}, radius};
 }
 
-/// Rays around the margins of the first step: from near the surface, up to 2^17 radii away or
-/// inside, and grazing.
+/// Rays around the margins of the first step: rays that start near the surface, inside or up to
+/// 2^17 radii away, and grazing rays.
 Ray near_margins(Random& random, const Sphere& sphere) {
   const double far = std::exp2(random.between(0, 17));
   const double beside =
@@ -257,8 +257,8 @@ Ray near_margins(Random& random, const Sphere& sphere) {
       {aim(in.x, other.x), aim(in.y, other.y), aim(in.z, other.z)}};
 }
 
-/// s is off by hardly more than its rounding (the first step's proof gives 0.62 ulp), and batches
-/// answer as single calls.
+/// s is off by hardly more than its rounding (0.62 ulp by the first step's proof), and batches have
+/// the answers of single calls.
 TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
   constexpr double kSeenUlp = 0.505;
   for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {

@@ -1,5 +1,5 @@
-// Numbers of few significant bits, for formulas that are templates over their number. Compiled once
-// for each of Highway's targets (fast/internal/lanes.h).
+// Numbers with few significant bits, for formulas that are templates over their number type.
+// Compiled once for each of Highway's targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_
@@ -34,9 +34,9 @@ struct SmallMask {
   }
 };
 
-/// Numbers of kBits significand bits, kFloats side by side, in the range of floats. Every
-/// operation is rounded once, to nearest and ties to even: a float's 24 bits are at least 2p + 2,
-/// so that rounding the float's result again rounds the exact one (Figueroa, When is double
+/// kFloats numbers with p = kBits significand bits, in the range of floats. Every operation is
+/// rounded once, to nearest and ties to even: the 24 bits of a float are at least 2p + 2, so that
+/// rounding the float result again gives the rounded exact result (Figueroa, When is double
 /// rounding innocuous?, 1995, for +, -, *, / and square roots). Domain: no subnormal results.
 template <int kBits, class Requirements>
 struct SmallFloat {
@@ -53,7 +53,7 @@ struct SmallFloat {
   friend SmallFloat operator*(SmallFloat a, SmallFloat b) { return SmallFloat(a.raw * b.raw); }
   friend SmallFloat operator/(SmallFloat a, SmallFloat b) { return SmallFloat(a.raw / b.raw); }
   friend SmallFloat operator-(SmallFloat a) { return SmallFloat(-a.raw); }
-  // Not fused: the float of a fused result would be rounded twice.
+  // Not fused, since the float of a fused result would be rounded twice.
   friend SmallFloat mul_add(SmallFloat a, SmallFloat b, SmallFloat c) { return a * b + c; }
   friend SmallFloat mul_sub(SmallFloat a, SmallFloat b, SmallFloat c) { return a * b - c; }
   friend SmallFloat sqrt(SmallFloat a) {

@@ -1,20 +1,21 @@
 #pragma once
 #include "tests/standard.h"
 
-// Inputs in formats of few bits, the margins of their formulas, and the right answers by integers.
+// Inputs in formats with few bits, the margins of the formulas, and the right answers by integers.
 
 namespace raycheck::fast {
 
-/// The margins for certain signs where u = 2^-p <= 2^-6, without over- and underflow. Let
-/// U = 1 + u, F = f|d|. T's coordinates are off by a share of u, so that
+/// The margins for certain signs if u = 2^-p <= 2^-6, without over- and underflow. Let U = 1 + u, F
+/// = f|d|. T's coordinates are off by a share of u, so that
 ///   a^ <= U^3 a, (r^2)^ <= U r^2, (f^2)^ <= U^5 f^2, as many powers of 1 - u the other way,
 ///   |m^ - m| <= 1.155 (U^3 - U) F + u |m|, as the moment of absolute values is at most 1.155 F,
 ///   |b^ - b| <= (U^4 - 1) F.
 /// Before its last rounding, which keeps the sign, far disc^ is then off by at most 5.2u a r^2
 /// + 10.3u F^2, near disc^ by 10u a r^2 + 20u F^2 to first order, where 32u F^2 are required.
 /// |disc^| > doubt^ leaves 8u (1-u)^6/U a r^2 + 16u (1-u)^10/U F^2, at least 7.1u a r^2
-/// + 13.4u F^2, more than that. Where disc > 0 outside, b^2 > disc > 3u F^2 > (U^4 - 1)^2 F^2, so
-/// b^ has b's sign. f^2 > r^2 as (1 + 8u)(1 - u)^2 > U^5, f^2 < r^2 as (1 - 8u) U^2 < (1 - u)^5.
+/// + 13.4u F^2, which is more. If disc > 0 and the origin is outside, b^2 > disc > 3u F^2 > (U^4 -
+/// 1)^2 F^2, so that b^ has b's sign. f^2 > r^2, since (1 + 8u)(1 - u)^2 > U^5; f^2 < r^2, since (1
+/// - 8u) U^2 < (1 - u)^5.
 enum class Margin : std::size_t {
   kRight,
   kNoDoubt,
@@ -27,7 +28,7 @@ enum class Margin : std::size_t {
 };
 inline constexpr std::size_t kMarginCount = 8;
 
-/// The margins, of which one may be too small.
+/// The margins; kMargin selects one that is too small, if any.
 template <int kBits, Margin kMargin = Margin::kRight>
 struct Signs {
   static constexpr double kUnitRoundoff = 1 / static_cast<double>(std::int64_t{1} << kBits);
@@ -49,14 +50,15 @@ struct Signs {
   static constexpr double kLargestSquare = 0x1p60;
 };
 
-/// Inputs whose numbers are all those of the format up to these magnitudes, each with both roots.
-/// Directions are taken up to reflections of the axes and factors of two, and in the plane z = 0
-/// with y <= x, which their exchange makes all where centres and origins are as wide in y; origins,
-/// centres and radii up to factors of two. None of these changes how anything is rounded.
+/// Inputs with all numbers of the format up to these magnitudes, each with both roots. Of
+/// directions that differ by reflections of the axes and factors of two, one is taken. In the plane
+/// z = 0 only directions with y <= x are taken; exchanging x and y gives the others if centres and
+/// origins are as wide in y. Of origins, centres and radii that differ by a factor of two, one is
+/// taken. None of these changes affects rounding.
 struct Part {
   std::array<int, 3> origin, direction, centre;
   int radius;
-  std::size_t slice = 0, slices = 1;  ///< Every slices-th direction, from this one on.
+  std::size_t slice = 0, slices = 1;  ///< Every slices-th direction, from direction `slice` on.
 };
 
 struct Tally {
@@ -65,10 +67,10 @@ struct Tally {
   double share() const { return static_cast<double>(certain) / static_cast<double>(inputs); }
 };
 
-/// From 0 on a format of 10 bits has as many.
+/// The number of numbers >= 0 in a format of 10 bits.
 inline constexpr std::size_t kMostNumbers = 512;
 
-/// The numbers of the format between two.
+/// The numbers of the format from `least` to `most`.
 inline std::vector<int> numbers(int bits, int least, int most) {
   std::vector<int> result;
   for (int x = least; x <= most; ++x) {
@@ -109,13 +111,12 @@ inline std::vector<Point<int>> directions(int bits, const Part& part) {
   return all;
 }
 
-/// The class of every radius for a line, in integers: with m = a |T|^2 - b^2 the discriminant
-/// a r^2 - m is positive where r^2 > m/a, and that is where it is above the quotient's integer
-/// part.
+/// The class of every radius for a line, in integers. With m = a |T|^2 - b^2, the discriminant a
+/// r^2 - m is positive if r^2 > m/a, that is, if r^2 is above the integer part of the quotient.
 struct Truth {
   std::int32_t most_missed, tangent,
-      distance_sq;     ///< Of r^2; `tangent` is -1 if no radius is tangent.
-  std::int32_t ahead;  ///< All bits where b >= 0, or none.
+      distance_sq;     ///< Values of r^2; `tangent` is -1 if no radius is tangent.
+  std::int32_t ahead;  ///< -1 if b >= 0, otherwise 0.
 
   Truth(const Point<std::int64_t>& T, const Point<std::int64_t>& d) {
     const std::int64_t a = d.x * d.x + d.y * d.y + d.z * d.z;

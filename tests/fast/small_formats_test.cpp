@@ -1,15 +1,15 @@
-// The decisions of `robust`, by the same code, in formats so small that all inputs are enumerated
-// and every certain hit class is compared with exact integers, for the nearest root and for the
-// smaller one.
+// Tests the decisions of `robust`, by the same code, in formats so small that all inputs are
+// enumerated. Every certain hit class is compared with exact integers, for the nearest and for the
+// smaller root.
 //
-// A format of 8 bits has a sign, 2 bits of exponent and 5 of fraction, one of 10 bits 7 of
-// fraction, as IEEE 754 has them but without infinities: 0, 1, ..., 63, then every second number to
-// 126, every fourth to 252, and their negatives; or to 255, 510 and 1020. Results have the
-// same 6 or 8 significant bits, and exponents that nothing overflows.
+// A format of 8 bits has a sign, 2 bits of exponent and 5 bits of fraction, as in IEEE 754, but no
+// infinities. Its numbers are 0, 1, ..., 63, then every second number to 126, every fourth to 252,
+// and their negatives. A format of 10 bits has 7 bits of fraction, and its numbers go to 255, 510
+// and 1020. Results have the same 6 or 8 significant bits, and exponents that do not overflow.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/fast/small_formats_test.cpp"
-// AVX2 takes half as long as the baseline; compiling for more targets would take longer than they
+// AVX2 halves the time of the baseline. Compiling for more targets would take longer than they
 // save.
 #define HWY_DISABLED_TARGETS (~(HWY_AVX2 | HWY_BASELINE_TARGETS))
 #include "tests/fast/small_formats.h"
@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-/// The spheres about one centre and the rays from one origin. Radii are innermost: terms that
-/// do not depend on them are computed once for each ray.
+/// Enumerates the spheres about one centre and the rays from one origin. The inner loop is over
+/// radii; terms that do not depend on them are computed once for each ray.
 template <int kBits, class Requirements>
 void enumerate_from(const Point<int>& origin, const Point<int>& centre,
                     const std::vector<int>& radii, const std::vector<Point<int>>& ways,
@@ -37,7 +37,7 @@ void enumerate_from(const Point<int>& origin, const Point<int>& centre,
     N square, doubt, inside, outside;
     Truths whole, is_one;
   };
-  std::array<Radii, kMostNumbers / kFloats> all;  // A vector need not be aligned as these are.
+  std::array<Radii, kMostNumbers / kFloats> all;  // std::vector might not align them.
   std::size_t groups = 0;
   for (std::size_t first = 0; first < radii.size(); first += kFloats) {
     Floats radius{};
@@ -54,10 +54,10 @@ void enumerate_from(const Point<int>& origin, const Point<int>& centre,
   for (const Point<int>& way : ways) {
     const RayOf<N> ray = {triple(origin), triple(way)};
     const Truth truth(T, {way.x, way.y, way.z});
-    Truths certain{}, wrong{};  // as sums of -1
+    Truths certain{}, wrong{};  // sums of -1
     for (const auto& [square, doubt, inside, outside, whole, is_one] :
          std::span(all.data(), groups)) {
-      Ball<N> ball = any;  // which stays in registers
+      Ball<N> ball = any;  // stays in registers
       std::tie(ball.square, ball.doubt, ball.inside, ball.outside) =
           std::tie(square, doubt, inside, outside);
       const auto nearest = guess(ray, ball, scene::Root::kNearest);
@@ -106,8 +106,8 @@ Tally enumerate_in(int bits, Margin margin, const Part& part) {
   return (bits == 6 ? kIn6 : kIn8).at(static_cast<std::size_t>(margin))(part);
 }
 
-/// Compares with doubles, in which sums and products of such numbers are exact, and quotients and
-/// roots not so near a tie that rounding twice matters.
+/// Compares with doubles. In doubles, sums and products of such numbers are exact, and quotients
+/// and roots are not so near a tie that rounding twice matters.
 void expect_rounded() {
   using N = SmallFloat<6, Signs<6>>;
   const auto rounded = [](double x) {
@@ -141,7 +141,7 @@ static_assert(Margins<double>::kDiscriminantShare > Signs<53>::kDiscriminantShar
               Margins<double>::kFarShare > Signs<53>::kFarShare &&
               Margins<double>::kSurfaceShare > Signs<53>::kSurfaceShare);
 
-/// A part, the number of its inputs, and the number of these that are certain.
+/// A part, the number of its inputs, and the number of inputs with a certain class.
 struct Enumerated {
   Part part;
   std::int64_t inputs;
@@ -163,9 +163,9 @@ void expect_no_wrong_class(int bits, const std::vector<Enumerated>& parts) {
   }
 }
 
-/// 306,152,991 inputs: of the plane, all of which LongSmallFormats enumerates, every centre and
-/// radius with directions up to 6, and every direction with centres and radii up to 12; far
-/// origins, whose differences to centres are rounded; and in space all numbers up to 10.
+/// 306,152,991 inputs. In the plane, which LongSmallFormats enumerates completely: every centre and
+/// radius with directions up to 6, and every direction with centres and radii up to 12. Far
+/// origins, whose differences to centres are rounded. In space: all numbers up to 10.
 TEST(SmallFormats, HaveNoWrongClassIn8Bits) {
   expect_no_wrong_class(6, {
                                {{{0, 0, 0}, {6, 6, 0}, {252, 252, 0}, 252}, 86778432, 0.68},
@@ -175,8 +175,8 @@ TEST(SmallFormats, HaveNoWrongClassIn8Bits) {
                            });
 }
 
-/// 478,090,863 inputs, of the same kinds: in the plane every centre near the x axis and every
-/// radius; every direction; far origins; and space.
+/// 478,090,863 inputs of the same kinds: in the plane every centre near the x axis with every
+/// radius, and every direction; far origins; and space.
 TEST(SmallFormats, HaveNoWrongClassIn10Bits) {
   expect_no_wrong_class(8, {
                                {{{0, 0, 0}, {6, 6, 0}, {1020, 15, 0}, 1020}, 212744448, 0.87},
@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(Second, LongSmallFormats, testing::Values(1));
 INSTANTIATE_TEST_SUITE_P(Third, LongSmallFormats, testing::Values(2));
 INSTANTIATE_TEST_SUITE_P(Fourth, LongSmallFormats, testing::Values(3));
 
-/// Margins that are too small are detected, in 10 bits all but two.
+/// Margins that are too small are detected; in 10 bits all except two.
 TEST(SmallFormats, HaveWrongClassesIfMutated) {
   for (std::size_t k = 1; k < kMarginCount; ++k) {
     SCOPED_TRACE(k);

@@ -1,4 +1,5 @@
-// Seeds of fuzzers, and inputs on which they once failed, in an ordinary build.
+// Runs the fuzz targets, in an ordinary build, on the fuzzers' seeds and on inputs on which a
+// target once failed.
 
 #include "tests/fuzz/targets.h"
 #include "tests/testing.h"

@@ -27,7 +27,7 @@ void try_to(const Read& read) {
   }
 }
 
-/// A separate folder, so that no other file lies beside the rubric.
+/// A separate folder, in which no other file lies beside the rubric.
 class Folder {
  public:
   Folder() : path_(std::filesystem::temp_directory_path() / "raycheck-fuzz-XXXXXX") {
@@ -92,10 +92,11 @@ void fuzz_rubric(std::string_view bytes) {
   }
 }
 
-/// The content of a unit's file, without its digest, which random bytes do not have.
+/// Parses the contents of a unit's file without its digest, because random bytes do not match a
+/// digest.
 void fuzz_unit(std::string_view bytes) {
   try {
-    // As a unit of `properties` has it.
+    // The result in a unit of `properties`.
     using Result =
         std::pair<std::vector<properties::CampaignPart>, std::optional<properties::WorstCase>>;
     const std::string again = tools::to_bytes(tools::from_bytes<Result>(bytes));

@@ -4,8 +4,8 @@
 
 namespace raycheck::tests {
 
-// The targets of fuzzing, each a function of any bytes. A reader may refuse them by its documented
-// exception; every other exception, and every finding of sanitizers, is a defect.
+// The targets of fuzzing. Each is a function of any bytes. A parser may refuse them by its
+// documented exception; any other exception, and any finding of a sanitizer, is a defect.
 
 void fuzz_toml_scene(std::string_view bytes);
 void fuzz_driver_file(std::string_view bytes);
@@ -14,7 +14,7 @@ void fuzz_reply(std::string_view bytes);
 void fuzz_picture(std::string_view bytes);
 void fuzz_unit(std::string_view bytes);
 
-/// Inputs on which a target failed once, in tests/fuzz/regressions/NAME.
+/// A target. Inputs on which it once failed are in tests/fuzz/regressions/NAME.
 struct FuzzTarget {
   std::string_view name;
   void (*run)(std::string_view bytes);

@@ -1,4 +1,4 @@
-// The examples, built against an installed tree.
+// Builds the examples against an installed tree, and runs them.
 
 #include <unistd.h>
 
@@ -9,14 +9,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Installed once for all tests.
+/// Installs raycheck once for all tests.
 class Consumers : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     installed() =
         shell(std::string("cmake --install ") + RAYCHECK_BUILD + " --prefix " + prefix().string());
   }
-  /// Fails here, as tests of a suite whose set-up fails are skipped.
+  /// Fails here, since tests of a suite whose set-up fails are skipped.
   void SetUp() override { ASSERT_EQ(installed().code, 0) << installed().text; }
   static Ended& installed() {
     static Ended ended;
@@ -101,7 +101,7 @@ TEST_F(Consumers, MatchTheDocumentation) {
   EXPECT_EQ(shown, 3u);
 }
 
-/// Consumers that take as long again each.
+/// Each of these takes as long as all tests above.
 class NightlyConsumers : public Consumers {};
 
 TEST_F(NightlyConsumers, WithOtherFrameworksPassAndFail) {
@@ -142,7 +142,7 @@ TEST_F(NightlyConsumers, WithLibFuzzerSurviveAndFail) {
   expect_far_root(shell("export TRACER_MISTAKE=far_root; " + fuzzer + "-runs=20000"));
 }
 
-/// The same entry, built with the available compiler, on random bytes.
+/// Calls the fuzzer's entry point, built with the available compiler, with random bytes.
 TEST_F(NightlyConsumers, WithFuzzHSurviveAndFailOnRandomBytes) {
   const fs::path example = prefix() / "share/raycheck/examples/consumer-fuzz";
   const std::string program = (prefix() / "random_bytes").string();
@@ -157,8 +157,8 @@ TEST_F(NightlyConsumers, WithFuzzHSurviveAndFailOnRandomBytes) {
   expect_far_root(shell("TRACER_MISTAKE=far_root " + program + " 5000"));
 }
 
-/// Compiler flags of consumers do not affect answers.
-TEST_F(NightlyConsumers, GetTheSameAnswersHoweverTheyAreCompiled) {
+/// The compiler flags of consumers do not affect answers.
+TEST_F(NightlyConsumers, GetTheSameAnswersWithAllCompilerFlags) {
   const Ended plain = shell((built("consumer-exact") / "truth").string());
   EXPECT_EQ(plain.code, 0);
   EXPECT_TRUE(has(plain.text, "exactly"));

@@ -1,5 +1,5 @@
-// The library's answers are the reference's, and its spellings of a number agree. Of linked
-// candidates, in doubles and in floats, right ones pass; degenerate and wrong ones do not.
+// The library's answers are those of the reference, and its forms of a number agree. Right linked
+// candidates, in doubles and in floats, pass; degenerate and wrong candidates do not.
 
 #include <raycheck/cases.h>
 #include <raycheck/exact.h>
@@ -16,7 +16,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// From shared lecture answers: eye (0, 0, 0), sphere ((0, 0, 5), 1).
+/// The lecture's answers for the eye (0, 0, 0) and the sphere ((0, 0, 5), 1).
 TEST(Exact, MeetsTheSphereAhead) {
   const exact::Intersection met = exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
   EXPECT_EQ(met.hit_class, exact::HitClass::hit);
@@ -30,7 +30,7 @@ TEST(Exact, MeetsTheSphereAhead) {
 }
 
 #if defined(__SSE2__)
-/// As in a program that is linked with -ffast-math.
+/// Flushes subnormals like a program that is linked with -ffast-math.
 TEST(Exact, KeepsSubnormalsWhereTheProgramFlushesThem) {
   constexpr unsigned kFlush = 0x8040;
   constexpr double kUnit = 0x1p-1000;
@@ -80,7 +80,7 @@ TEST(Exact, FollowsTheConventions) {
   EXPECT_FALSE(exact::hit(inside, {{0, 0, 0}, 2}, asked).is_hit);
 }
 
-TEST(Exact, FindsTheNearestAndItsTies) {
+TEST(Exact, FindsTheNearestSphereAndItsTies) {
   const Ray ray{{0, 0, 0}, {0, 0, 1}};
   const auto found = exact::nearest(ray, {{{0, 0, 9}, 1}, {{0, 0, 5}, 1}, {{0, 0, 6}, 2}});
   ASSERT_TRUE(found);
@@ -137,7 +137,7 @@ TEST(Cases, AreDeterminedByTheirSeed) {
   EXPECT_THROW((void)make_case("nowhere", 1), std::invalid_argument);
 }
 
-/// Every double reads back from its spelling, -0 and subnormal ones included.
+/// Every double, also -0 and subnormal ones, reads back from its text.
 TEST(Cases, ReadBackAsWritten) {
   int subnormal = 0;
   for (const Source& source : sources()) {
@@ -167,13 +167,13 @@ TEST(Cases, AreMadeFromAnyBytes) {
 TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   const LawTests tests(tracer());
   EXPECT_GT(tests.checks().size(), 100u);
-  std::size_t told = 0;
+  std::size_t judged = 0;
   for (const Check& check : tests.checks()) {
     const LawOutcome outcome = tests.run(check);
     EXPECT_TRUE(outcome.passes) << outcome.text;
-    told += outcome.says_too_little ? 0 : 1;
+    judged += outcome.says_too_little ? 0 : 1;
   }
-  EXPECT_GT(told, tests.checks().size() * 2 / 3);
+  EXPECT_GT(judged, tests.checks().size() * 2 / 3);
 }
 
 TEST(Judge, FindsDegenerateCandidatesBroken) {
@@ -193,7 +193,7 @@ TEST(Judge, FindsDegenerateCandidatesBroken) {
   }
 }
 
-/// >= for > at the declared end, on which the root of every case lies.
+/// The candidate uses >= instead of > at the declared end, on which the root of every case lies.
 TEST(Judge, FindsRootsOutsideTheDeclaredIntervalBroken) {
   Case one;
   one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
@@ -211,7 +211,7 @@ TEST(Judge, FindsRootsOutsideTheDeclaredIntervalBroken) {
   for (const Precision precision : {Precision::double_, Precision::single}) {
     const Verdict wrong = judged(2, precision);
     EXPECT_EQ(wrong.finding, Finding::broken) << wrong.text;
-    EXPECT_TRUE(has(wrong.text, "answers s = 2, which the interval (2, inf) excludes"));
+    EXPECT_TRUE(has(wrong.text, "the answer s = 2 lies outside the interval (2, inf)"));
     EXPECT_NE(judged(4, precision).finding, Finding::broken);
   }
 }
@@ -228,7 +228,7 @@ TEST(Judge, JudgesOnlyDeclaredReturnsAndDirections) {
   distances.returns = Returns::distance;
   EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
   EXPECT_EQ(judge(distances, "hit-point", "rays").finding, Finding::left_out);
-  distances.returns = Returns::parameter;  // equal on unit directions
+  distances.returns = Returns::parameter;  // equal for unit directions
   distances.directions = Directions::unit;
   EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
 }
@@ -313,11 +313,13 @@ TEST(Judge, JudgesOnlyFunctionsThatAreSet) {
         << bound;
   }
   const Verdict left_out = judge(frames, "class");
+  static_assert(noexcept(left_out.passes()), "callers rely on it");
+  static_assert(noexcept(left_out.holds()), "callers rely on it");
   EXPECT_TRUE(left_out.passes());
   EXPECT_FALSE(left_out.holds());
 }
 
-/// The good tracer's answers, s off by a share, rounded to floats.
+/// The good tracer's answers, with s off by a share, rounded to floats.
 Candidate floats(double off = 0) {
   Candidate candidate("floats");
   candidate.precision = Precision::single;

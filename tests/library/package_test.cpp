@@ -1,4 +1,5 @@
-// The Debian packages: made from the build, unpacked in an empty folder, and used from there.
+// Makes the Debian packages from the build, unpacks them in an empty folder, and uses them from
+// there.
 
 #include <unistd.h>
 
@@ -13,7 +14,7 @@ const std::vector<std::string> kPackages = {"raycheck", "libraycheck0", "librayc
 
 bool is_installed(const std::string& program) { return shell("command -v " + program).code == 0; }
 
-/// The build's packages and the folder that they are unpacked in, made once for all tests.
+/// The packages and the folder in which they are unpacked, made once for all tests.
 class NightlyPackage : public testing::Test {
  protected:
   static fs::path folder() { return fs::path(RAYCHECK_BUILD) / "tests/packages"; }
@@ -28,7 +29,7 @@ class NightlyPackage : public testing::Test {
     if (!can_be_made()) {
       GTEST_SKIP() << "dpkg-dev, file or, where tests are not root's, fakeroot is not installed";
     }
-    // Fails here, as tests of a suite whose set-up fails are skipped.
+    // Fails here, since tests of a suite whose set-up fails are skipped.
     ASSERT_EQ(why_not_made(), "");
   }
   static std::string& why_not_made() {
@@ -78,7 +79,6 @@ class NightlyPackage : public testing::Test {
   static std::string contents(const std::string& package) {
     return shell("dpkg-deb -c '" + file_of(package).string() + "'").text;
   }
-  /// A control file of a package.
   static std::string control(const std::string& package, const std::string& name) {
     return shell("dpkg-deb -I '" + file_of(package).string() + "' " + name).text;
   }
@@ -134,7 +134,7 @@ TEST_F(NightlyPackage, ServesConsumers) {
   EXPECT_EQ(shell("TRACER_MISTAKE=far_root " + nearest).code, 1);
 }
 
-/// With the rubric, the headers and the adapters beside it, without the sources.
+/// The program uses the rubric, the headers and the adapters in the package, not the sources.
 TEST_F(NightlyPackage, HasAProgramThatJudgesAndSendsAnAutograder) {
   const std::string raycheck = (prefix() / "bin/raycheck").string();
   const fs::path rubric = prefix() / "share/raycheck/rubrics/lecture7";

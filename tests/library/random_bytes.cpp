@@ -1,5 +1,5 @@
-// random_bytes COUNT: calls libFuzzer's entry on COUNT strings of random bytes, for compilers
-// without libFuzzer.
+// random_bytes COUNT: calls libFuzzer's entry point with COUNT strings of random bytes, for
+// compilers without libFuzzer.
 
 #include <cstddef>
 #include <cstdint>

@@ -11,7 +11,6 @@ struct Ended {
   std::string text;  ///< Its standard output and standard error.
 };
 
-/// Runs a command by the shell.
 inline Ended shell(const std::string& command) {
   FILE* const pipe = popen(("( " + command + " ) 2>&1").c_str(), "r");
   Ended ended;
@@ -24,7 +23,7 @@ inline Ended shell(const std::string& command) {
   return ended;
 }
 
-/// Builds an example of an installed tree in a folder, as its CMakeLists.txt says.
+/// Builds an example of an installed tree in a folder, by its CMakeLists.txt.
 inline Ended build_example(const std::filesystem::path& prefix, const std::string& name,
                            const std::filesystem::path& to, const std::string& options = "") {
   std::filesystem::remove_all(to);

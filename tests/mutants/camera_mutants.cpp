@@ -22,7 +22,7 @@ Candidate with_guarded_W() {
   return candidate;
 }
 
-/// Points and rays made for another camera or other conventions than those given.
+/// A mutant that makes points and rays for another camera or other conventions than those given.
 Candidate with_inputs(std::string name, std::function<void(Camera&, Conventions&)> change) {
   Candidate candidate = named(std::move(name));
   const auto wrap = [&change](auto& function) {
@@ -37,7 +37,7 @@ Candidate with_inputs(std::string name, std::function<void(Camera&, Conventions&
   return candidate;
 }
 
-/// Directions changed after they are made; `change` gets the camera and the pixel point.
+/// A mutant that changes right directions; `change` gets the camera and the pixel point.
 Candidate with_directions(
     std::string name, std::function<Vector3(const Camera&, const Point3&, const Vector3&)> change) {
   Candidate candidate = named(std::move(name));

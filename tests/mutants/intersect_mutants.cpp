@@ -9,7 +9,7 @@ namespace {
 
 AskSphere unmutated_hits() { return hits_of(unmutated()); }
 
-/// Spheres changed before they are intersected.
+/// A mutant that changes spheres before it intersects them.
 Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> change) {
   Candidate candidate = named(std::move(name));
   answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
@@ -19,7 +19,7 @@ Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> cha
   return candidate;
 }
 
-/// Answers changed after they are made.
+/// A mutant that changes right answers.
 Candidate with_hits(std::string name,
                     std::function<Hit(const Ray&, const Sphere&, const Conventions&, Hit)> change,
                     bool checked = true) {
@@ -37,7 +37,7 @@ Candidate with_hits(std::string name,
   return candidate;
 }
 
-/// Another choice between the two roots; input is checked as before.
+/// A mutant that chooses other roots. It checks its input like a right candidate.
 Candidate with_choice(std::string name,
                       std::function<Hit(const Ray&, const fast::Roots&, const Conventions&)> choose,
                       bool checked = true) {
@@ -49,8 +49,8 @@ Candidate with_choice(std::string name,
       checked);
 }
 
-/// The roots of a s^2 + b s + c by q = -(b - sign(b) sqrt(b^2 - 4ac))/2, which cancels where the
-/// other sign would not; for an origin on the surface q is 0, and c/q is not a number.
+/// The roots of a s^2 + b s + c by q = -(b - sign(b) sqrt(b^2 - 4ac))/2, which cancels; the other
+/// sign would not. For an origin on the surface, q is 0 and c/q is NaN.
 Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventions& conventions,
                             const Hit&) {
   const auto dot = [](const scene::Vector3& u, const scene::Vector3& v) {
@@ -88,8 +88,8 @@ std::vector<Mutant> choice_mutants() {
                    "only the near root counts, so that spheres around the origin are not seen",
                    {"class", "growing-radius"}),
       from_mistake("near-from-inside",
-                   "the near root is given though it is negative: from inside spheres are hit "
-                   "behind the origin",
+                   "the near root is given even if it is negative: spheres around the origin are "
+                   "hit behind it",
                    {"nearest-root"}),
       from_mistake("solid", "spheres are solid: from inside s is 0", {"nearest-root"}),
       from_mistake("level-is-missed",
@@ -97,12 +97,12 @@ std::vector<Mutant> choice_mutants() {
                    "their origin",
                    {"class"}),
       from_mistake("merged-roots",
-                   "where d^2 is below about 1e-5 (perhaps more) both roots are taken to be v: the "
+                   "where d^2 is below about 1e-5 (perhaps more) v is taken for both roots: the "
                    "epsilon is too large",
                    {"parameter", "scaling"}),
       from_mistake("shallow-is-missed",
-                   "lines that are less than about 1e-7 radii (perhaps more) inside a sphere miss "
-                   "it: the tolerance is too large",
+                   "rays that pass less than about 1e-7 radii (perhaps more) inside a sphere's "
+                   "outline miss it: the tolerance is too large",
                    {"class"}),
       from_mistake("short-is-missed",
                    "directions with a |D|^2 below about 1e-9 (perhaps more) hit nothing: the "
@@ -178,7 +178,7 @@ std::vector<Mutant> value_mutants() {
                    {"class", "growing-radius", "scaling"}),
       from_mistake("half-of-s", "s is half of the right one", {"parameter"}),
       from_mistake("twice-s", "s is twice the right one", {"parameter"}),
-      from_mistake("s-is-a-length", "s is a length whatever the length of the direction",
+      from_mistake("s-is-a-length", "s is a length, not a multiple of the direction",
                    {"parameter"}),
   };
 }

@@ -9,8 +9,8 @@ namespace raycheck::mutants {
 using namespace properties;
 using namespace scene;
 
-/// The candidate `direct/cross`, or `certified` for promises that only that makes, with one classic
-/// mistake.
+/// The candidate `direct/cross` with one classic mistake; or `certified`, if only that candidate
+/// makes the promise that is broken.
 struct Mutant {
   std::string_view sentence;
   /// The laws that must catch it.
@@ -20,12 +20,12 @@ struct Mutant {
   properties::Level level = properties::Level::kOrdinary;
 };
 
-/// The candidate that the mutants are made from, and the same of another name.
+/// The candidate from which the mutants are made; also under another name.
 properties::Candidate unmutated();
 properties::Candidate named(std::string name);
 
-/// The mutant of a classic mistake of properties/mistakes/mistakes.h, with this name. Throws
-/// std::invalid_argument where no mistake has that sentence.
+/// The mutant, with this name, that makes a classic mistake of properties/mistakes/mistakes.h.
+/// Throws std::invalid_argument if no mistake has this sentence.
 Mutant from_mistake(std::string name, std::string_view sentence,
                     std::vector<std::string_view> caught_by);
 
@@ -34,17 +34,17 @@ struct Fault {
   double s = 0;        ///< s times 1 + this
   double Q = 0;        ///< Q moved by this share of its distance from the world's origin
   double D = 0;        ///< directions turned by this
-  double epsilon = 0;  ///< hits at less than this are dropped
-  double band = 0;     ///< hit and miss exchanged where |b - r| < this r, b the impact parameter
+  double epsilon = 0;  ///< hits whose s is less than this are dropped
+  double band = 0;     ///< hit and miss are exchanged if |b - r| < band r, b the impact parameter
 };
 
-/// The candidate from which mutants are made, which breaks no law, with a fault.
+/// The candidate from which mutants are made, with a fault. (Without a fault, it breaks no law.)
 properties::Candidate careful_candidate(std::string name, const Fault& fault);
 
 /// Every mutant; the names of their candidates differ.
 std::vector<Mutant> all_mutants();
 
-/// Lists, one after the other.
+/// Concatenates lists.
 template <class One>
 std::vector<One> joined(std::initializer_list<std::vector<One>> lists) {
   std::vector<One> all;
@@ -52,7 +52,7 @@ std::vector<One> joined(std::initializer_list<std::vector<One>> lists) {
   return all;
 }
 
-// The same by stage, each in the file of its name.
+// The mutants by stage, each list in the file of its name.
 std::vector<Mutant> camera_mutants();
 std::vector<Mutant> intersect_mutants();
 std::vector<Mutant> plan_mutants();

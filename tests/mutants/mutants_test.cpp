@@ -1,4 +1,4 @@
-// Mutants are caught by the laws that they name; sound code passes its level with every seed.
+// The laws that a mutant names catch it; sound code passes its level with every seed.
 
 #include "tests/mutants/mutants.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace properties;
 
-/// With the default number of cases, as in a user's first run.
+/// The options of a user's first run, with the default number of cases.
 CampaignOptions at(Level level) { return options_of(CampaignOptions().cases, {}, level); }
 
 const std::vector<Mutant>& all() {
@@ -50,7 +50,7 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
     const Failure& failure = *result.failure;
     EXPECT_TRUE(scene::defects(failure.shrunk.scene).empty());
     EXPECT_TRUE(breaks(*law, failure.shrunk, mutant.candidate));
-    // By a wrong answer, not by a throw.
+    // The mutant is caught by a wrong answer, not by an exception.
     EXPECT_NE(failure.verdict.worst(1).front().wrong, Wrong::kRefused);
     EXPECT_NE(failure.verdict.worst(1).front().wrong, Wrong::kFailed);
 
@@ -132,8 +132,8 @@ TEST(SmallFaults, BreakTheirLaws) {
   }
 }
 
-/// The allowed loss of the textbook's formula on ordinary cases hides no larger error, not even in
-/// floats.
+/// The loss of digits that is allowed for the textbook's formula on ordinary cases hides no larger
+/// error, not even in floats.
 TEST(SmallFaults, BreakTheirLawsWhereOnlyOrdinaryCasesArePromised) {
   const std::tuple<const char*, Fault, std::vector<std::string_view>, scene::Precision> faults[] = {
       {"s-2^-36", {.s = 0x1p-36}, {"parameter", "backward-error"}, scene::Precision::kDouble},
@@ -151,13 +151,13 @@ TEST(SmallFaults, BreakTheirLawsWhereOnlyOrdinaryCasesArePromised) {
   }
 }
 
-/// Cases of each law and seed: one or two of each severity of each source.
+/// The number of cases for each law and seed: one or two for each severity of each source.
 constexpr int kCasesOfSeed = 100;
 
-/// One in this many comparisons may be undecided: a choice among far spheres that nearly tie.
+/// One in this many comparisons may be undecided: choices among far spheres that nearly tie.
 constexpr std::uint64_t kComparedPerUndecided = 10000;
 
-/// The number of seeds to try; by hand RAYCHECK_LEVEL_SEEDS=1000.
+/// The number of seeds to try; for a longer run, set RAYCHECK_LEVEL_SEEDS=1000.
 int seeds() {
   const char* const given = std::getenv("RAYCHECK_LEVEL_SEEDS");
   return given != nullptr ? std::atoi(given) : 10;
@@ -180,14 +180,14 @@ const fast::IntersectMethod& intersect_method(std::string_view name) {
 }
 const fast::IntersectMethod& cross_method() { return intersect_method("cross"); }
 
-/// What `properties --replay` takes, and the methods that it is tried with.
+/// An argument of `properties --replay`, and the methods on which it is tried.
 struct IntersectReplay {
   const fast::PixelRayMethod& rays;
   std::string_view intersect;
   const char* replay;
 };
 
-/// Every intersection method with one kind of rays, and a textbook's rays with `cross`.
+/// Every intersection method with the rays of one method, and textbook rays with `cross`.
 std::vector<Sound> sound_code() {
   std::vector<Sound> all = {{&fast::kLectureRays, &cross_method()},
                             {&fast::kFocalRays, &cross_method()}};
@@ -214,9 +214,10 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
   const Candidate candidate = candidate_of(GetParam());
   std::vector<std::string_view> names;
   for (const Law& law : laws()) {
-    // Only `cross` is judged by the laws of rays: the other methods get the same rays.
+    // Only the pair with `cross` is judged by the laws of rays, because the other pairs make the
+    // same rays.
     const bool makes_rays = GetParam().intersect == &cross_method();
-    if (speaks_of_intersections(law) || makes_rays) names.push_back(law.name);
+    if (is_about_intersections(law) || makes_rays) names.push_back(law.name);
   }
   std::vector<Verdict> verdicts(names.size());
   for (int seed = 1; seed <= seeds(); ++seed) {
@@ -240,7 +241,8 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
   }
 }
 
-/// Two ordinary cases in some millions need the condition of the textbook's steps in these laws.
+/// In some millions of ordinary cases, two need the condition numbers of the textbook's steps in
+/// these laws.
 TEST(RareCases, DoNotConvictTextbooks) {
   const IntersectReplay cases[] = {
       {fast::kDirectRays, "quadratic", "focal-and-pixel:direct/quadratic:crowds:106c0a545afa43d3"},

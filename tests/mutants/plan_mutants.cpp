@@ -12,7 +12,7 @@ ScenePlan right_plan(const Scene& scene, const Conventions& conventions, Wanted 
   return scene::plan_scene(scene, conventions, wanted);
 }
 
-/// A candidate with this plan, which `visible` uses, too.
+/// A candidate with this plan. `visible` uses it, too.
 Candidate with_plan(std::string name, MakePlan make) {
   Candidate candidate = named(std::move(name));
   candidate.plan = make;
@@ -44,7 +44,7 @@ Candidate with_spheres(std::string name,
                    });
 }
 
-/// Takes one statement from the plan of another scene, or under other conventions.
+/// A mutant that takes one statement from the plan of another scene, or of other conventions.
 Candidate with_statement(std::string name, std::function<void(Scene&, Conventions&)> change,
                          std::function<void(const SpherePlan&, SpherePlan&)> take) {
   return with_plan(std::move(name), [change, take](const Scene& scene,
@@ -61,7 +61,7 @@ Candidate with_statement(std::string name, std::function<void(Scene&, Convention
   });
 }
 
-/// The rectangles of another scene, or under other conventions.
+/// A mutant with the rectangles of another scene, or of other conventions.
 Candidate with_inputs(std::string name, std::function<void(Scene&, Conventions&)> change) {
   return with_statement(std::move(name), std::move(change),
                         [](const SpherePlan& other, SpherePlan& s) { s.pixels = other.pixels; });
@@ -95,7 +95,7 @@ void shrink_to_disc(const ScenePlan& plan, SpherePlan& sphere) {
   shrink(middle(sphere.seen.v), &scene::EyeSpace::row, sphere.pixels.j_begin, sphere.pixels.j_end);
 }
 
-/// Whether the cone of one sphere is inside that of another, whichever is nearer.
+/// Whether the cone of one sphere is inside the cone of another, whichever sphere is nearer.
 bool is_in_cone_of(const scene::EyeSphere& by, const scene::EyeSphere& sphere) {
   const double power = middle(sphere.power), power_by = middle(by.power);
   const double r = middle(sphere.radius), r_by = middle(by.radius);
@@ -121,7 +121,7 @@ ScenePlan hidden_by_angle(const Scene& scene, const Conventions& conventions, Wa
   return plan;
 }
 
-/// Leaves out all but the last of equal spheres.
+/// A plan that leaves out all equal spheres except the last.
 ScenePlan last_of_equals(const Scene& scene, const Conventions& conventions, Wanted wanted) {
   ScenePlan plan = right_plan(scene, conventions, wanted);
   for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
@@ -220,7 +220,7 @@ std::vector<Mutant> root_mutants() {
 }
 
 Candidate seen_by_file_order() {
-  Candidate candidate = named("sees-first-in-file");
+  Candidate candidate = named("shows-first-in-file");
   candidate.visible = [visible = candidate.visible](const Scene& scene,
                                                     const Conventions& conventions,
                                                     Candidate::Pixels pixels) {
@@ -238,7 +238,7 @@ Candidate seen_by_file_order() {
   return candidate;
 }
 
-/// Changes certified answers.
+/// A mutant that changes certified answers.
 Candidate with_certified(std::string name,
                          std::function<void(const Scene&, std::optional<SeenAnswer>&)> change,
                          bool reversed = false) {
@@ -256,7 +256,7 @@ Candidate with_certified(std::string name,
   return candidate;
 }
 
-/// Changes the image.
+/// A mutant that changes the image.
 Candidate with_image(std::string name,
                      std::function<void(const Scene&, properties::ImageAnswer&)> change) {
   Candidate candidate = named(std::move(name));

@@ -1,6 +1,6 @@
-// The bounds that decisions rely on, proved by Gappa for the code's formulas: calling a formula
-// records its script. And the identities that formulas and proofs rely on, proved by a solver for
-// real arithmetic.
+// Proves the bounds on which decisions rely, by Gappa, for the code's formulas; calling a formula
+// records its script. Proves the identities on which formulas and proofs rely, by a solver for real
+// arithmetic.
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -19,12 +19,12 @@ const fs::path kScripts = fs::path(RAYCHECK_SOURCE_DIR) / "proofs";
 
 bool has_gappa() { return shell("command -v gappa").code == 0; }
 
-/// A path for this process only: tests run in parallel.
+/// A path for this process only, since tests run in parallel.
 fs::path own_path(const std::string& name) {
   return fs::path(testing::TempDir()) / ("raycheck_" + std::to_string(getpid()) + name);
 }
 
-/// Gappa's output for a script, empty if it is proved. (Gappa gives up by itself.)
+/// Gappa's output for a script; empty if the script is proved. (Gappa gives up by itself.)
 std::string complaint(const std::string& script, const std::string& options = "") {
   const fs::path file = own_path(".gappa");
   std::ofstream(file) << script;
@@ -33,7 +33,7 @@ std::string complaint(const std::string& script, const std::string& options = ""
   return ended.code == 0 ? ended.text : ended.text + "not proved";
 }
 
-/// The script, under a comment that names the bound and the formula's file.
+/// A bound's script, after a comment that names the bound and the formula's file.
 std::string commented(const Bound& bound) {
   return "# " + std::string(bound.what) + ": " + std::string(bound.where) + "\n" +
          bound.script(bound.value, {}).text();
@@ -58,7 +58,7 @@ TEST(Bounds, AreProvedForTheFormulas) {
   if (!has_gappa()) GTEST_SKIP() << "gappa is not installed";
 }
 
-/// Whether Gappa reads the script and does not find it proved.
+/// Whether Gappa reads the script but cannot prove it.
 bool is_refused(const std::string& script, const std::string& options) {
   const std::string said = complaint(script, options);
   EXPECT_EQ(said.find("syntax"), std::string::npos) << said << " in " << script;
@@ -66,8 +66,8 @@ bool is_refused(const std::string& script, const std::string& options) {
          said.find("no contradiction was found") != std::string::npos;
 }
 
-/// Each operation of each formula replaced, and each constant halved. Gappa may not split intervals
-/// where the true formula needs no splits: it would spend a second on each wrong one.
+/// Replaces each operation of each formula, and halves each constant. Gappa may not split intervals
+/// if the right formula needs no splits, since it would spend a second on each wrong formula.
 TEST(LongBounds, AreNotProvedForMutatedFormulas) {
   if (!has_gappa()) GTEST_SKIP() << "gappa is not installed";
   int mutants = 0;
@@ -116,7 +116,7 @@ TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
   fs::remove_all(folder);
 }
 
-/// Writes the files that the first test compares with; run it after changing a formula.
+/// Writes the files with which the first test compares. Run it after a change of a formula.
 TEST(Bounds, DISABLED_WriteTheirScripts) {
   for (const Bound& bound : bounds()) {
     std::ofstream(kScripts / (std::string(bound.name) + ".gappa")) << commented(bound);
@@ -125,7 +125,7 @@ TEST(Bounds, DISABLED_WriteTheirScripts) {
 
 const fs::path kIdentities = fs::path(RAYCHECK_SOURCE_DIR) / "proofs/identities";
 
-/// A sign or comparison of each file, and the wrong one, with which there is a counterexample.
+/// A sign, number or comparison in each file, and a wrong one, for which there is a counterexample.
 const std::map<std::string, std::pair<std::string, std::string>> kMistakes = {
     {"filter_by_moment", {"(* 4 S e1)", "(* 3 S e1)"}},
     {"filter_by_roots", {"(* 2.2 B Eb)", "(* 1.1 B Eb)"}},
@@ -142,8 +142,8 @@ const std::map<std::string, std::pair<std::string, std::string>> kMistakes = {
     {"third_axis", {"(- (* Wy Uz) (* Wz Uy))", "(+ (* Wy Uz) (* Wz Uy))"}},
 };
 
-/// The command of a solver with a limit of steps, the same on any machine; empty if no solver is
-/// installed.
+/// The command of a solver with a limit on steps, which is the same on every machine; empty if no
+/// solver is installed.
 std::string solver() {
   if (shell("command -v z3").code == 0) return "z3 rlimit=100000000 ";
   if (shell("command -v cvc5").code == 0) return "cvc5 --rlimit-per=10000000 ";
@@ -159,7 +159,7 @@ TEST(Identities, HoldForAllReals) {
   }
   for (const auto& [name, mistake] : kMistakes) EXPECT_TRUE(names.contains(name)) << name;
   EXPECT_EQ(names.size(), kMistakes.size());
-  // The code's constants, as the identities have them.
+  // The identities use these constants of the code.
   using namespace reference;
   const std::string by_roots = contents(kIdentities / "filter_by_roots.smt2"),
                     root = contents(kIdentities / "filter_root.smt2"),

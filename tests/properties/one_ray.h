@@ -1,7 +1,7 @@
 #pragma once
 
-// One ray and one sphere as a case; candidates that give one answer to every question, or miss some
-// spheres.
+// A case with one ray and one sphere; candidates that give the same answer to every question, or
+// miss some spheres.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
@@ -32,7 +32,7 @@ inline Candidate that_answers(std::optional<HitAnswer> answer) {
   return candidate;
 }
 
-/// direct/cross, except that it misses the spheres for which `misses` is true.
+/// direct/cross, but it misses the spheres for which `misses` is true.
 inline Candidate that_misses(bool (*misses)(const scene::Sphere&)) {
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
   candidate.classes_in = {};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto kSingle = scene::Precision::kSingle;
 
-/// Code in doubles judged as floats, with s, or D.x, off by a share.
+/// Code in doubles that is judged as floats, with a relative error of s or of D.x.
 Candidate off_by(double s, double direction = 0) {
   Candidate candidate = judged_in(kSingle, fast_candidate(fast::kDirectRays, fast::kCross));
   candidate.intersect = [s, ask = candidate.intersect](const auto&... asked) {
@@ -70,7 +70,7 @@ TEST(SinglePrecision, AsksFloatsOnly) {
   // So does a campaign, for every law that changes a case.
   for (const Law& law : laws()) {
     Candidate watched = candidate;
-    watched.refuses = false;                       // invalid input would be no floats
+    watched.refuses = false;                       // invalid input would not be floats
     watched.pixel_rays = watched.focal_rays = {};  // rays are given
     std::size_t asked = 0;
     watched.intersect = [&](Candidate::Rays rays, Candidate::Spheres spheres,
@@ -102,7 +102,7 @@ TEST(SinglePrecision, KeepsBoundsInUnitsOfTheArithmetic) {
 }
 
 TEST(SinglePrecision, CountsCasesThatFloatsCannotHold) {
-  // Random scales of the whole range of doubles.
+  // Scales are random, over the whole range of doubles.
   const CampaignResult result =
       run_campaign(*find_law("class"), off_by(0), options_of(60, {"scale@300"}));
   EXPECT_EQ(result.counts.cases, 60);

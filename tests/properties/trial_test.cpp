@@ -27,7 +27,7 @@ void fail(CandidateFunction<Answer(Arguments...)>& function) {
   function = [](Arguments...) -> Answer { throw InternalError("injected"); };
 }
 
-/// In laws, and in code between them and a candidate.
+/// The error is in a law, or in code between a law and a candidate.
 TEST(Trial, BlamesNoInternalErrorOnTheCandidate) {
   Candidate candidate = direct_cross();
   fail(candidate.frame), fail(candidate.pixel_points), fail(candidate.pixel_rays);
@@ -44,7 +44,7 @@ TEST(Trial, BlamesNoInternalErrorOnTheCandidate) {
   EXPECT_EQ(tried, 28);
 }
 
-/// For any type of exception.
+/// This holds for any type of exception.
 TEST(Trial, BlamesExceptionsOfACandidateOnIt) {
   Candidate candidate = direct_cross();
   candidate.intersect = [](auto&&...) -> std::vector<SphereHits> { throw 7; };
@@ -115,8 +115,8 @@ TEST(Trial, JudgesUnderTheDeclaredConventions) {
   EXPECT_FALSE(judge("direction", the_case, candidate).reason_left_out().empty());
 }
 
-/// The sphere reaches from 0 to 2 along the ray: any small change that moves the near root before
-/// or behind the origin leaves the other root ahead.
+/// The sphere reaches from 0 to 2 along the ray. Small changes may move the near root before or
+/// behind the origin, but the other root stays ahead.
 TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
   const Case surface = one_ray({{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
   const Verdict missed = judge("class", surface, that_answers({}));
@@ -127,13 +127,13 @@ TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
   const Excuse excuse = leaving.worst(1).front().excuse;
   EXPECT_EQ(excuse.kind, ExcuseKind::kWitness);
   EXPECT_EQ(excuse.amount, kExcusedChange);
-  // The origin is inside where the radius becomes larger than its x.
+  // The origin is inside if the radius becomes larger than its x.
   EXPECT_GT(excuse.witness.at(9), excuse.witness.at(0));
   for (const double share : excuse.witness) EXPECT_LE(std::abs(share), kExcusedChange);
 }
 
-/// The smaller root lies behind the origin by a rounding: an answer with it is wrong by a chord,
-/// which only the law `nearest-root` judges, however the two answers differ.
+/// The smaller root is behind the origin by a rounding. An answer at this root is wrong by a chord.
+/// Only the law `nearest-root` judges that, however much the two answers differ.
 TEST(Trial, ComparesNoAnswersAtTheOtherRoot) {
   const Case inside = one_ray({{-0x1.fffffffffffffp-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
   for (const bool is_at_other : {true, false}) {
@@ -149,7 +149,7 @@ TEST(Trial, ComparesNoAnswersAtTheOtherRoot) {
   }
 }
 
-/// Of two answers that contradict each other the wrong one is shown, beside the truth.
+/// If two answers contradict each other, the wrong one is shown with the truth.
 TEST(Trial, ShowsWhichOfTwoRelatedAnswersIsWrong) {
   Case near = one_ray({{0, 0, 0}, {1, 0, 0}}, {{0x1p-9, 0, 0}, 0x1p-10});
   for (const double least : {0x1p-9, 0x1p-12}) {
@@ -163,7 +163,8 @@ TEST(Trial, ShowsWhichOfTwoRelatedAnswersIsWrong) {
     const bool is_first = least > 0x1p-10;
     EXPECT_EQ(shown.wrong, Wrong::kMissed);
     EXPECT_TRUE(shown.got.empty());
-    EXPECT_EQ(shown.what, is_first ? "right only when scaled by 2^120" : "scaled by 2^-120");
+    EXPECT_EQ(shown.what,
+              is_first ? "right only with lengths scaled by 2^120" : "lengths scaled by 2^-120");
     EXPECT_EQ(shown.exact, std::vector{is_first ? 0x1p-10 : 0x1p-130});
   }
 }
@@ -259,8 +260,8 @@ TEST(Trial, RefusesAnInvalidCase) {
   EXPECT_THROW(Trial(the_case, direct_cross()), std::invalid_argument);
 }
 
-/// The errors of a candidate that ranks spheres like this: of a ray through the middles of spheres
-/// 0, 1 and 2 (1 and 2 are one), one that touches sphere 0, and one that misses all.
+/// The errors of a candidate that returns these spheres for three rays: one through the centres of
+/// spheres 0, 1 and 2 (1 and 2 are equal), one that touches sphere 0, and one that misses all.
 std::vector<NearestHitError> errors_of(const std::vector<std::optional<std::size_t>>& nearest,
                                        scene::Tangent tangent = scene::Tangent::kHit) {
   Case the_case;
@@ -274,7 +275,7 @@ std::vector<NearestHitError> errors_of(const std::vector<std::optional<std::size
   return nearest_hit_errors(trial, std::vector<std::int32_t>{1, touched, reference::kNoSphere});
 }
 
-/// Each of several equally near spheres is right.
+/// If several spheres are equally near, each is right.
 TEST(NearestHitError, IsMeasuredWhereTheSphereIsRight) {
   for (const std::size_t nearest : {1u, 2u}) {
     const auto errors = errors_of({nearest, 0, std::nullopt});
@@ -287,7 +288,7 @@ TEST(NearestHitError, IsMeasuredWhereTheSphereIsRight) {
 }
 
 TEST(NearestHitError, SaysHowAnAnswerIsWrong) {
-  // A tangent is excused, or not judged, as its convention is.
+  // The convention determines whether a tangent is excused or not judged.
   for (const auto& [tangent, standing] : {std::pair(scene::Tangent::kHit, Standing::kExcused),
                                           {scene::Tangent::kEither, Standing::kNotJudged}}) {
     const auto errors = errors_of({0, std::nullopt, 1}, tangent);

@@ -196,7 +196,7 @@ TEST(Verdict, KeepsTheWorstAndCountsAll) {
   EXPECT_LE(verdict.worst(kCount).size(), 2 * kKeptDiscrepancies);
 }
 
-/// A verdict on a handful of answers, all kinds of them, with many ties.
+/// A verdict on a few answers of all kinds, with many ties.
 Verdict random_verdict(std::mt19937_64& random) {
   const auto below = [&](std::uint64_t end) { return random() % end; };
   Verdict verdict;

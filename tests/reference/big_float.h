@@ -1,7 +1,7 @@
 #pragma once
 
-// The numbers of the tests of reference/: MPFR, precise enough for the literal formulas, and
-// without reference/'s arithmetic.
+// The numbers that tests of reference/ compute with: MPFR, which is precise enough for the literal
+// formulas and independent of reference/'s arithmetic.
 
 #include <boost/multiprecision/mpfr.hpp>
 
@@ -11,8 +11,8 @@
 
 namespace raycheck::reference {
 
-/// About 6600 bits: the exact square of a sum of doubles of all magnitudes, and as much again for
-/// quotients and roots.
+/// About 6600 bits. The exact square of a sum of doubles of all magnitudes needs half of them; the
+/// other half is for quotients and roots.
 using Big = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<2000>,
                                           boost::multiprecision::et_off>;
 
@@ -43,8 +43,8 @@ inline bool is_nearest(double value, const Big& x) {
   return true;
 }
 
-/// Whether the enclosure holds x; x itself carries the rounding errors of a few operations on
-/// doubles of any size, which are far below any enclosure's width.
+/// Whether the enclosure contains x. x has the rounding errors of a few operations on doubles of
+/// any size, which are far below the width of an enclosure.
 inline bool contains(const Enclosure& enclosure, const Big& x) {
   const Big error = abs(x) * power_of_two(-6000) + power_of_two(-4300);
   Enclosure truth(0, 8000);
@@ -55,7 +55,6 @@ inline bool contains(const Enclosure& enclosure, const Big& x) {
   return arb_overlaps(enclosure.ball(), truth.ball()) != 0;
 }
 
-/// A point or vector of such numbers.
 struct Big3 {
   Big x, y, z;
 };

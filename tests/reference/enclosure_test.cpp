@@ -1,4 +1,4 @@
-// Enclosures and double-doubles, against MPFR.
+// Compares enclosures and double-doubles with MPFR.
 
 #include "reference/enclosure.h"
 
@@ -10,7 +10,6 @@
 namespace raycheck::reference {
 namespace {
 
-/// x exactly, at a precision that holds all of it.
 Enclosure exactly(const Big& x) {
   Enclosure result(0, 8000);
   arf_set_mpfr(arb_midref(result.ball()), x.backend().data());
@@ -96,7 +95,7 @@ TEST(EnclosureSign, IsCertainOnlyWhenTheWholeBallHasIt) {
   EXPECT_TRUE((third * Enclosure(3) - Enclosure(1)).contains_zero());
 }
 
-TEST(EnclosureSqrt, CutsOffWhatIsNegative) {
+TEST(EnclosureSqrt, CutsOffTheNegativePart) {
   const Enclosure around_zero = Enclosure(1) / Enclosure(3) * Enclosure(3) - Enclosure(1);
   const Enclosure root = sqrt(around_zero);
   EXPECT_TRUE(root.contains_zero());
@@ -149,13 +148,12 @@ void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& wh
   }
 }
 
-/// A number and its exact value.
 struct Pair {
   DoubleDouble number;
   Big exact;
 };
 
-/// One random operation on the two; empty where it has no result.
+/// A random operation on two pairs; empty if it has no result.
 std::optional<Pair> operate(Random& random, const Pair& a, const Pair& b) {
   const auto kind = random.integer(1, 5);
   if (kind == 1) return Pair{a.number + b.number, a.exact + b.exact};
@@ -178,7 +176,7 @@ int check_expressions(Sizes sizes, std::uint64_t seed, int count) {
       // Neighbours, whose differences cancel.
       const double close = nudged(x, random.integer(-3, 3));
       if (std::isfinite(close)) known.push_back({DoubleDouble(close), Big(close)});
-      // An end of a number known to within a relative change.
+      // An end of the interval of numbers within a relative change.
       const double change =
           std::ldexp(random.between(0.5, 1), -static_cast<int>(random.integer(0, 9)));
       const double end = random.sign();

@@ -1,4 +1,4 @@
-// Errors, against values by hand, rational arithmetic and balls.
+// Compares errors with values by hand, rational arithmetic and balls.
 
 #include "reference/error_measure.h"
 
@@ -74,7 +74,7 @@ TEST(UlpError, IsAnUpperBoundThatANarrowEnclosureMakesSharp) {
     const Big error = abs(Big(given) - Big(truth)) / power_of_two(std::max(exponent - 53, -1074));
     const double bound = ulp_error(given, ball).value;
     ASSERT_GE(Big(bound), error) << scene::hexfloat(truth);
-    // An enclosure of a power of two reaches below it, where the gap is half as wide.
+    // The enclosure of a power of two contains smaller numbers, where the gap is half as wide.
     const bool is_power_of_two = magnitude == power_of_two(exponent - 1);
     ASSERT_LE(Big(bound), error * (is_power_of_two ? 2 : 1) + power_of_two(-25));
   }
@@ -121,7 +121,7 @@ TEST(AngleError, IgnoresLengthAndIsInfiniteFromARightAngleOn) {
   }
 }
 
-TEST(UnitDefect, IsHowFarTheLengthIsFromOne) {
+TEST(UnitDefect, IsTheDistanceOfTheLengthFromOne) {
   EXPECT_EQ(unit_defect({1, 0, 0}).value, 0);
   EXPECT_EQ(unit_defect({0, -2, 0}).value, 0x1p53);
   EXPECT_EQ(unit_defect({0, 0, 0}).value, 0x1p53);
@@ -130,7 +130,7 @@ TEST(UnitDefect, IsHowFarTheLengthIsFromOne) {
     EXPECT_LE(unit_defect({0, 0, z}).value, exact * (1 + kUnitDefectWidth));
   }
   EXPECT_EQ(unit_defect({0, kInfinity, 0}).value, kInfinity);
-  // 0.6 and 0.8 are rounded: their squares do not quite sum to 1.
+  // 0.6 and 0.8 are rounded, so that the sum of their squares is not exactly 1.
   const Big length = sqrt(Big(0.6) * Big(0.6) + Big(0.8) * Big(0.8));
   const Big expected = abs(length - 1) * power_of_two(53);
   const double defect = unit_defect({0.6, 0.8, 0}).value;
@@ -248,7 +248,7 @@ constexpr int kBits = 400;
 class Comparison {
  public:
   void expect_same(double error, double by_balls) {
-    // Wider than both enclosures: 70 bits where balls of ExactRay took over.
+    // Wider than both enclosures, which have at least 70 bits.
     EXPECT_NEAR(error, by_balls, 0x1p-16 + by_balls * 0x1p-29);
     if (error > 0 && std::isfinite(error)) ++measured_;
   }
@@ -315,7 +315,7 @@ void compare_hits(Comparison& comparison, Random& random, const ExactRay& ray,
       in_units_of_u((norm(answer - enclose_exactly(sphere.centre)) - radius) / radius).value);
 }
 
-TEST(RayError, IsThatOfBalls) {
+TEST(RayError, AgreesWithBalls) {
   Random random(1);
   Comparison of_cameras, of_given_rays;
   for (int k = 0; k < 2000; ++k) {
@@ -335,7 +335,7 @@ TEST(RayError, IsThatOfBalls) {
   EXPECT_GE(of_given_rays.measured(), 2000);
 }
 
-TEST(RayError, LeavesToBallsWhatDoubleDoublesCannotHold) {
+TEST(RayError, UsesBallsBeyondDoubleDoubles) {
   // Squares overflow, and the tangent's discriminant cancels to nothing.
   const ExactRay huge(scene::Ray{{-0x1p600, 0x1p599, 0}, {1, 0, 0}});
   const scene::Sphere sphere{{0, 0, 0}, 0x1p600};
@@ -377,7 +377,7 @@ TEST(RayError, OfNonFiniteValuesIsInfinite) {
   }
 }
 
-TEST(RayError, TellsTheOtherRootFromAnError) {
+TEST(RayError, DistinguishesTheOtherRootFromAnError) {
   const ExactRay ray(kAlongX);  // roots 4 and 6: nearer to 6 than 0.5
   for (const double s : {5.6, 6.0, 6.4}) {
     EXPECT_TRUE(is_at_other_root(ray, kUnit, kSmallerHit, s));

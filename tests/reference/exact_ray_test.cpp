@@ -1,6 +1,6 @@
-// Decisions of reference/exact_ray.h over the whole double range, under small changes of the input,
-// in boxes of rays and spheres, and on invalid input. Its correctly rounded values and
-// enclosures, and those of exact_camera.h, against the literal formulas in MPFR.
+// Tests decisions of reference/exact_ray.h over the whole range of doubles, under small changes of
+// the input, in boxes of rays and spheres, and on invalid input. Compares its correctly rounded
+// values and enclosures, and those of exact_camera.h, with the literal formulas in MPFR.
 
 #include "reference/exact_ray.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace scene;
 
-/// Compares the engines on one ray and two spheres.
+/// Compares the engines for one ray and two spheres.
 void expect_engines_agree(const ExactRay& ray, const Sphere& first, const Sphere& second, int& hits,
                           int& pairs) {
   for (const Root root : {Root::kNearest, Root::kSmaller}) {
@@ -123,7 +123,7 @@ TEST(IntervalRay, TouchesAtItsOriginByTheSmallerRoot) {
   }
 }
 
-TEST(Nearest, IsEmptyWhenNothingIsMet) {
+TEST(Nearest, IsEmptyIfNothingIsMet) {
   const ExactRay ray(kFromZero);
   EXPECT_FALSE(ray.nearest({}, {}).has_value());
   const std::vector<Sphere> spheres{{{-5, 0, 0}, 1}, {{5, 5, 0}, 1}};
@@ -131,7 +131,7 @@ TEST(Nearest, IsEmptyWhenNothingIsMet) {
 }
 
 TEST(Nearest, ReportsEveryTieAndTheFirstOfThem) {
-  // All but the first two are met at s = 4; the fifth from inside.
+  // All except the first two are met at s = 4, the fifth from inside.
   const std::vector<Sphere> spheres{{{9, 0, 0}, 1}, {{-3, 0, 0}, 1}, {{6, 0, 0}, 2}, {{5, 0, 0}, 1},
                                     {{0, 0, 0}, 4}, {{4, 3, 0}, 3},  {{8, 0, 0}, 4}};
   const auto nearest = ExactRay(kFromZero).nearest(spheres, {});
@@ -172,8 +172,8 @@ struct BoxCounts {
   int hits = 0, misses = 0, open = 0, contradicted = 0;
 };
 
-/// Counts on boxes of spheres that the ray nearly grazes, and on questions in them whose numbers
-/// are changed by up to `change`.
+/// Counts for boxes of spheres that the ray nearly grazes, and for rays and spheres in these boxes
+/// whose numbers are changed by up to `change`.
 BoxCounts box_counts(double change) {
   Random random(11);
   BoxCounts all;
@@ -220,7 +220,7 @@ TEST(IntersectionInBoxes, DoesNotHoldFartherOff) {
   EXPECT_GT(box_counts(4 * kBoxChange).contradicted, 20);
 }
 
-TEST(IntersectionInBoxes, IsTheExactOneOfASingleRayThatPassesClearly) {
+TEST(IntersectionInBoxes, IsExactForASingleRayThatPassesClearly) {
   Random random(5);
   int decided = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -244,7 +244,7 @@ TEST(IntersectionInBoxes, RefusesInvalidInput) {
 
 constexpr auto kSingle = scene::Precision::kSingle;
 
-/// The number of values compared, and of those at the ends of the double range.
+/// The number of compared values, and of values at the ends of the range of doubles.
 struct RoundedCounts {
   int values = 0, hits = 0, subnormal = 0, overflowed = 0, zero = 0;
 
@@ -360,7 +360,7 @@ TEST(RayValues, OfEverySizeAreCorrectlyRounded) {
 }
 
 TEST(RayValues, ExactMidpointsGoToTheEvenDouble) {
-  // From inside a point-symmetric set-up s = 2^53 + 1 and 2^53 + 3, halfway between doubles.
+  // The roots from inside are s = 2^53 + 1 and 2^53 + 3, halfway between doubles.
   const double base = 0x1p53;
   for (const double odd : {1.0, 3.0}) {
     const ExactRay ray(scene::Ray{{-base, 0, 0}, {1, 0, 0}});

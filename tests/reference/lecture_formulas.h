@@ -1,6 +1,6 @@
 #pragma once
 
-// The formulas of docs/problem.md, literally, in numbers of sufficient precision.
+// The literal formulas of docs/problem.md, in numbers of sufficient precision.
 
 #include "scene/camera.h"
 #include "scene/conventions.h"
@@ -41,7 +41,7 @@ inline LectureRay lecture_ray(const scene::Camera& camera, const scene::Conventi
   return ray;
 }
 
-/// v, d^2, and the hit at either root, for a unit direction.
+/// v, d^2, and the hits at both roots, for a unit direction.
 struct LectureHit {
   Big v, d_sq;
   Big smaller() const { return v - sqrt(d_sq); }

@@ -1,5 +1,6 @@
-// Given rays and spheres against tests/reference/oracle.py, which uses only Python's integers and
-// fractions: which root is met, under every convention, and the doubles nearest to both.
+// Compares answers for given rays and spheres with tests/reference/oracle.py, which uses only
+// Python's integers and fractions: the root that is met, under every convention, and the doubles
+// nearest to both roots.
 
 #include <unistd.h>
 
@@ -55,7 +56,7 @@ std::string met(const ExactRay& ray, const Asked& one, const scene::Conventions&
          (at.root == WhichRoot::kSmaller ? "near" : "far");
 }
 
-/// The number of answers, or of s, of each kind.
+/// The number of answers, or of values of s, of each kind.
 using Counts = std::map<std::string, int>;
 
 template <class Make>
@@ -75,13 +76,13 @@ Counts expect_oracle_agrees(int count, std::uint64_t seed, Make make) {
     if (in >> answer >> which >> smaller >> larger) answer += " " + which;
     EXPECT_EQ(met(ray, one, one.conventions), answer);
     ++counts[answer];
-    // < for <= is another answer where a root is an end.
+    // If a root is equal to an end, open and closed ends give different answers.
     scene::Conventions open = one.conventions, closed = one.conventions;
     open.valid.ends = scene::Ends::kOpen;
     closed.valid.ends = scene::Ends::kClosed;
     counts["at an end"] += met(ray, one, open) != met(ray, one, closed) ? 1 : 0;
     if (answer == "miss") continue;
-    // The other root, too, even where it does not count.
+    // Both roots are compared, even if the other root does not count.
     const HitClass hit_class = ray.intersect(one.sphere, one.conventions).hit_class;
     for (const auto& [root, text] :
          {std::pair(WhichRoot::kSmaller, smaller), {WhichRoot::kLarger, larger}}) {
@@ -103,7 +104,7 @@ void expect_at_least(const Counts& counts, const Counts& least) {
 }
 
 TEST(PythonOracle, AgreesOnNearTies) {
-  // Beside a tangent line, or at the surface: 1 + a few ulps from (-5, 0, 0), along x, and scaled.
+  // Near a tangent line or at the surface: a few ulps off, from (-5, 0, 0) along x, and scaled.
   const Counts counts = expect_oracle_agrees(1000, 2, [](Random& random) {
     const double scale = std::ldexp(1.0, static_cast<int>(random.integer(-60, 60)));
     const double edge = nudged(1, random.integer(-3, 3)) * scale;
@@ -129,7 +130,8 @@ TEST(PythonOracle, AgreesOnTheWholeRange) {
       {{"hit near", 50}, {"hit far", 50}, {"miss", 200}, {"subnormal", 3}, {"overflowed", 10}});
 }
 
-/// Small integers, so that roots are often doubles, or ordinary numbers; ends beside the roots.
+/// Small integers, so that roots are often doubles, or ordinary numbers. Ends are close to the
+/// roots.
 Asked with_ends(Random& random) {
   Asked one;
   const auto whole = [&](int most) { return static_cast<double>(random.integer(-most, most)); };

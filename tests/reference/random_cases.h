@@ -19,7 +19,7 @@ inline const Intersection kLargerHit{HitClass::kHit, WhichRoot::kLarger};
 inline const Intersection kTangent{HitClass::kTangent, WhichRoot::kSmaller};
 inline const scene::Sphere kUnit{{0, 0, 0}, 1};
 
-/// Any finite double: every exponent is as likely as any other; 0 and both ends come up too.
+/// A finite double. All exponents are equally likely; 0 and both ends of the range occur, too.
 inline double any_double(Random& random) {
   if (random.one_in(8)) return 0;
   if (random.one_in(16)) return random.sign() * kSmallest;
@@ -31,7 +31,7 @@ inline double any_double(Random& random) {
   }
 }
 
-/// Where numbers come from.
+/// The kind of random numbers.
 enum class Sizes { kSmallIntegers, kOrdinary, kAll };
 
 inline double number(Random& random, Sizes sizes, std::int64_t size = 9) {
@@ -47,7 +47,8 @@ Triple triple(Random& random, Sizes sizes, std::int64_t size = 9) {
   return {x, y, number(random, sizes, size)};
 }
 
-/// With kAll, every other sphere is about as large as its centre is far, so that rays meet some.
+/// With kAll, about half of the spheres are about as large as their centres are far, so that rays
+/// meet some.
 inline scene::Sphere random_sphere(Random& random, Sizes sizes) {
   const auto centre = triple<scene::Point3>(random, sizes, 12);
   if (sizes == Sizes::kAll && random.one_in(2)) {
@@ -117,7 +118,7 @@ inline double nudged(double value, std::int64_t steps) {
   return value;
 }
 
-// Spellings of counterexamples that can be pasted into tests.
+// Text of counterexamples that can be pasted into tests.
 template <class Triple>
 std::string spelled(const Triple& v) {
   return "{" + scene::hexfloat(v.x) + ", " + scene::hexfloat(v.y) + ", " + scene::hexfloat(v.z) +

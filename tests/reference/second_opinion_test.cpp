@@ -1,6 +1,7 @@
-// A second opinion on the decisions of reference/exact_ray.h: CGAL's kernel with square roots,
-// whose numbers are CORE's. It shares no arithmetic and no formula with reference/. CORE's
-// reference counts are not atomic: one thread per process, and ctest runs each test in its own.
+// Compares the decisions of reference/exact_ray.h with those of CGAL's kernel with square roots,
+// which uses CORE's numbers. The kernel shares no arithmetic and no formula with reference/. CORE's
+// reference counts are not atomic, so that a process has only one thread; ctest runs each test in a
+// process.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 
@@ -16,8 +17,8 @@ using Number = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
 using Vector = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::Vector_3;
 static_assert(std::is_same_v<Number, CORE::Expr>);
 
-/// RAYCHECK_SECOND_OPINION_PERCENT changes the number of cases: 1250 makes a million decisions,
-/// less suits builds that are slow by design.
+/// RAYCHECK_SECOND_OPINION_PERCENT changes the number of cases. 1250 makes a million decisions;
+/// slow builds (sanitizers) use less.
 int share_of(int count) {
   const char* const percent = std::getenv("RAYCHECK_SECOND_OPINION_PERCENT");
   return percent == nullptr ? count : count * std::atoi(percent) / 100;
@@ -54,7 +55,7 @@ struct Roots {
   }
 };
 
-/// The numbers of decisions by kind, so that no kind goes untested.
+/// The numbers of decisions of each kind, to check that every kind is tested.
 struct Counts {
   int decisions = 0, hits = 0, larger_roots = 0, tangents = 0, misses = 0, behind = 0;
   int order[3] = {0, 0, 0};  ///< The first sphere nearer, a tie, the second nearer.
@@ -114,8 +115,8 @@ scene::Point3 moved(const scene::Point3& p, const IntegerFrame& frame, double i,
           p.z + i * x.z + j * y.z + k * z.z};
 }
 
-/// One of the sphere's four numbers moved by up to 3 doubles, half of the time; 0 by multiples of
-/// 2^-52, since CORE's filter takes squares that underflow for 0.
+/// Half of the time, moves one of the sphere's four numbers by up to 3 doubles. A 0 is moved by
+/// multiples of 2^-52, since CORE's filter takes squares that underflow for 0.
 void nudge(Random& random, Sphere& sphere) {
   if (random.one_in(2)) return;
   const std::array<double*, 4> numbers{&sphere.centre.x, &sphere.centre.y, &sphere.centre.z,
@@ -126,7 +127,7 @@ void nudge(Random& random, Sphere& sphere) {
   sphere.radius = std::abs(sphere.radius);
 }
 
-// The numbers of cases of each test, and of their decisions.
+// The number of cases of each test, and of their decisions.
 constexpr int kOrdinaryRays = 12800;
 constexpr int kTangents = 12000;
 constexpr int kOrigins = 9600;
@@ -217,7 +218,7 @@ TEST(SecondOpinion, OnTiesOfTwoSpheresAndTheirNeighbours) {
     Sphere first = met_at_entry();
     Sphere second = met_at_entry();
     if (random.one_in(2)) {
-      // A mirrored pair instead, met at one irrational parameter.
+      // Instead, a mirrored pair of spheres that is met at one irrational parameter.
       const double i = entry + static_cast<double>(random.integer(5, 9));
       const double radius = static_cast<double>(random.integer(3, 5)) * frame.length;
       first = {moved(ray.origin, frame, i, 2, 1), radius};
@@ -246,7 +247,7 @@ Number coordinate(double low, double high, std::int64_t index, std::int64_t coun
          Number(static_cast<int>(2 * index + 1)) * extent / Number(static_cast<int>(2 * count));
 }
 
-/// A pixel's ray, end to end from the camera's numbers.
+/// A pixel's ray, computed from the camera's numbers.
 struct PixelLine {
   Camera camera;
   ExactRay ray;
@@ -297,8 +298,7 @@ TEST(SecondOpinion, OnCamerasEndToEnd) {
 }
 
 TEST(SecondOpinion, OnCamerasAlongAnAxisWhoseRaysAreTangent) {
-  // The centre column looks along -z with rational steps; unit spheres stand beside and on its
-  // rays.
+  // The ray of the centre pixel is along -z; the sphere touches it or misses touching it by an ulp.
   Random random(13);
   Counts counts;
   const int cases = share_of(kCameras);

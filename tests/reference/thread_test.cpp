@@ -84,14 +84,14 @@ struct Case {
 std::vector<Case> random_cases_of(Sizes sizes, std::uint64_t seed) {
   Random random(seed);
   std::vector<Case> cases;
-  const int cameras = sizes == Sizes::kAll ? 2 : 6;  // Those of all sizes take long in the field.
+  const int cameras = sizes == Sizes::kAll ? 2 : 6;  // Cameras of all sizes are slow in the field.
   for (int k = 0; k < cameras; ++k) {
     const scene::Camera camera = random_camera(random, sizes);
     const scene::Conventions conventions = random_conventions(random);
     const auto exact = std::make_shared<const ExactCamera>(camera, conventions);
     for (int n = 0; n < 5; ++n) {
       const scene::Pixel pixel = random_pixel(random, camera);
-      // The first is around everything, so that each camera has a hit.
+      // The first sphere is around everything, so that each camera has a hit.
       const Sphere sphere = n == 0 ? Sphere{camera.eye, std::numeric_limits<double>::max()}
                                    : random_sphere(random, sizes);
       // Half of the pairs tie.
@@ -120,7 +120,7 @@ TEST(Threads, SharingOneCameraGetTheAnswersOfOneThread) {
       for (std::size_t k = 0; k < 2 * cases.size(); ++k) {
         const Case& one = cases[(k + 7 * t) % cases.size()];
         ++compared[t];
-        // Every second time through the thread's own ray.
+        // Every second time with a ray of this thread.
         const ExactRay own(*one.camera, one.pixel);
         const ExactRay& ray = k % 2 == 0 ? *one.ray : own;
         different[t] += everything(*one.camera, ray, *one.forms, one.pair) == one.said ? 0 : 1;
@@ -142,7 +142,7 @@ class RoundingMode : public testing::TestWithParam<Sizes> {
   void TearDown() override { std::fesetround(FE_TONEAREST); }
 };
 
-TEST_P(RoundingMode, OfTheCallerChangesNoAnswerAndIsLeftAsFound) {
+TEST_P(RoundingMode, OfTheCallerChangesNoAnswerAndIsRestored) {
   std::size_t longest = 0;
   for (const Case& one : random_cases_of(GetParam(), 2)) {
     const scene::Camera& camera = one.camera->camera();
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Inputs, RoundingMode,
                          testing::Values(Sizes::kSmallIntegers, Sizes::kOrdinary, Sizes::kAll),
                          name_of);
 
-TEST_F(RoundingMode, IsLeftAsFoundWhenInputIsRefused) {
+TEST_F(RoundingMode, IsRestoredIfInputIsRefused) {
   for (const int mode : kModes) {
     ASSERT_EQ(std::fesetround(mode), 0);
     const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 0, 0}});

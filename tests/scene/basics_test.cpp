@@ -1,4 +1,4 @@
-// The basics: reading and writing numbers and text, interruption, the processor's arithmetic.
+// Tests reading and writing of numbers and text, interruption, and the processor's arithmetic.
 
 #include <cfenv>
 #include <thread>
@@ -180,7 +180,7 @@ TEST(Poll, ThrowsIfTheInnermostIsInterrupted) {
   EXPECT_NO_THROW(poll());
 }
 
-TEST(Arithmetic, IsThatOfIeee754) { EXPECT_EQ(arithmetic_defect(), ""); }
+TEST(Arithmetic, FollowsIeee754) { EXPECT_EQ(arithmetic_defect(), ""); }
 
 TEST(Arithmetic, IsCheckedForOtherRounding) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {

@@ -56,7 +56,7 @@ TEST(Validate, AcceptsOddButValidInput) {
   expect_none(centres);
 }
 
-// eye - look_at here has no exact double: 1e300 - 2^-1074 rounds to 1e300.
+// eye - look_at is not a double here: 1e300 - 2^-1074 rounds to 1e300.
 TEST(Validate, JudgesACameraUnderConventionsAsInAScene) {
   EXPECT_NO_THROW(require_valid(lecture_camera(), Conventions{}));
   for (const Samples samples : {Samples::kEdges, Samples::kCentres}) {
@@ -93,7 +93,7 @@ TEST(Validate, DecidesParallelUpExactly) {
                    {1, -2, std::nextafter(3.0, 4.0)}));
   expect_none(with({kSmallest, 0, 0}, {0, 0, 0}, {0, kSmallest, 0}));
   expect_none(with({1, 0, 0}, {0, 0, 0}, {1e300, kSmallest, 0}));
-  // Parallel, though the differences of coordinates round apart.
+  // Parallel, although the rounded differences of coordinates are not.
   constexpr double kLittle = 0x1.4p-54;
   expect_one(with({1, 3, 5}, {kLittle, 3 * kLittle, 5 * kLittle}, {1, 3, 5}), "camera.up",
              "[1, 3, 5]");
@@ -121,7 +121,7 @@ TEST(Validate, NamesDegenerateFields) {
            {[](Camera& c) { c.height = -5; }, "camera.height", "-5"}}) {
     expect_one(changed(change), field, value);
   }
-  // Two samples between edges.
+  // Samples from edge to edge need two pixels.
   Scene scene = lecture_scene();
   scene.camera->width = 1;
   expect_one(scene, "camera.width", "1");

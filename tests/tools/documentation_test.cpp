@@ -1,4 +1,4 @@
-// Runs every command in the documentation and compares its output with the one shown.
+// Runs every command in the documentation and compares its output with the output shown there.
 
 #include "tests/tools/program.h"
 #include "tests/tools/report/picture.h"
@@ -14,7 +14,7 @@ struct Shown {
   std::vector<std::string> lines;
 };
 
-/// The commands of a page's blocks of a language, where lines that begin with "> " continue one.
+/// The commands in a page's blocks of a language. Lines that begin with "> " continue a command.
 std::vector<Shown> shown_in(const fs::path& path, const std::string& language) {
   static const std::regex of_console("\\$ (\\./run|python3) (.*)"), of_session("\\$ ()(.*)");
   std::vector<Shown> result;
@@ -53,8 +53,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 /// A page that a command makes.
 const std::regex kPage(R"( --(out|view) (\S+\.html)\b)");
 
-/// Runs a command; its pages and pictures are written elsewhere, and pictures are compared with
-/// those of the documentation.
+/// Runs a command. Its pages and pictures are written elsewhere; pictures are compared with those
+/// in the documentation.
 Outcome run_shown(const Shown& shown) {
   const std::string folder = temporary_folder("shown") + "/", option = " --out " + kPictures;
   std::smatch page;
@@ -97,7 +97,7 @@ std::string without_times(std::string line) {
 }
 
 /// On a terminal this is one transient line, which documents do not show.
-const std::regex kProgress("^submissions: [0-9]+ of [0-9]+ (tried|graded): .*");
+const std::regex kProgress("^submissions: [0-9]+ of [0-9]+ done: .*");
 
 std::vector<std::string> lasting_lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -107,7 +107,7 @@ std::vector<std::string> lasting_lines_of(const std::string& text) {
   return lines;
 }
 
-/// The shown lines occur in order; "..." stands for any lines.
+/// Expects the shown lines, in order; "..." stands for any lines.
 void expect_shown(const Shown& shown, const std::vector<std::string>& printed) {
   std::size_t at = 0;
   bool may_skip = false;
@@ -135,7 +135,8 @@ std::vector<fs::path> documents() {
   return paths;
 }
 
-/// Runs the commands of pages that `is_looked_at`, each once wherever it is shown.
+/// Runs the commands of pages for which `is_looked_at` is true, each once even if it is shown more
+/// often.
 void expect_prints_what_is_shown(bool (*is_looked_at)(const std::string& path), int fewest) {
   int commands = 0;
   std::map<std::string, std::vector<std::string>> printed;
@@ -159,7 +160,7 @@ void expect_prints_what_is_shown(bool (*is_looked_at)(const std::string& path), 
 
 bool is_of_the_gallery(const std::string& path) { return has(path, "/docs/gallery/"); }
 
-// Separate suites run in parallel.
+// The documents are split into separate suites, which run in parallel.
 TEST(LongDocumentation, shows_what_the_program_prints) {
   expect_prints_what_is_shown([](const std::string& path) { return !is_of_the_gallery(path); }, 6);
 }
@@ -170,8 +171,8 @@ TEST(LongGallery, shows_what_the_program_prints) {
 
 constexpr std::size_t kMostPictureBytes = 100'000;  ///< Of a page: every clone contains them.
 
-/// The pictures of pages, as docs/pictures.py finds them: each page is made by a command of the
-/// same document.
+/// The pictures of pages, as docs/pictures.py finds them. Each page must be made by a command of
+/// the same document.
 TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
   static const std::regex kPicture(R"(<!-- picture (\{.*?\}) -->\s*!\[[^\]]+\]\(([^)]+)\))");
   std::set<fs::path> shown_pictures;
@@ -182,7 +183,7 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
       if (std::regex_search(shown.arguments, page, kPage)) pages.insert(page[2]);
     }
     const std::string text = contents(document);
-    // Of commands within a line, too.
+    // Commands within a line of text count, too.
     static const std::regex kView(R"(--view (\w+\.html))");
     for (std::sregex_iterator at(text.begin(), text.end(), kView), end; at != end; ++at) {
       pages.insert((*at)[1]);
@@ -219,7 +220,7 @@ TEST(Documentation, shows_newcomers_an_existing_candidate) {
   EXPECT_TRUE(has(contents(RAYCHECK_SOURCE_DIR "/README.md"), "```cpp\n" + shown + "```"));
 }
 
-/// README.md links every page, and all links exist.
+/// README.md links every page, and the targets of all links exist.
 TEST(Documentation, links_every_page_in_the_readme_and_has_no_dead_links) {
   const fs::path root = RAYCHECK_SOURCE_DIR;
   const std::string readme = contents(root / "README.md");
@@ -239,7 +240,7 @@ TEST(Documentation, links_every_page_in_the_readme_and_has_no_dead_links) {
   }
 }
 
-/// Files by their paths or the ends of these, and folders with a trailing slash.
+/// Files are named by their paths or the ends of these, folders with a trailing slash.
 TEST(Documentation, of_contributors_names_existing_files_and_folders) {
   const fs::path root = RAYCHECK_SOURCE_DIR;
   std::vector<std::string> all;
@@ -301,8 +302,8 @@ TEST(Documentation, of_security_names_existing_tests_and_every_hostile_suite) {
   }
 }
 
-/// The session blocks of a page: commands with what they print, run one after the other by one
-/// shell in a folder that is empty at first.
+/// Checks the session blocks of a page: one shell runs the commands one after the other, in a
+/// folder that is empty at first.
 void expect_session(const fs::path& page, std::size_t fewest) {
   constexpr char kMark = '\1';
   const std::vector<Shown> session = shown_in(page, "session");

@@ -1,4 +1,4 @@
-// Every option of every command accepts valid values, and refuses others with a clear message.
+// Every option of every command accepts valid values, and refuses all others with a clear message.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -17,7 +17,7 @@ constexpr tools::LinkedCommand kAllCommands[] = {
 #undef RAYCHECK_LINKED
 };
 
-/// The program's commands, not run.
+/// The commands of the program, without running them.
 struct Program {
   CLI::App app;
   std::vector<tools::Command> commands = tools::make_program(app, kAllCommands);
@@ -28,7 +28,7 @@ bool takes_a_number(const CLI::Option& option) {
   return type.find("INT") != std::string::npos || type.find("FLOAT") != std::string::npos;
 }
 
-/// The same as expect_refused() for a line whose words may be in single quotes. Commands that need
+/// Like expect_refused(), for a line whose words may be in single quotes. Commands that need
 /// neither a candidate nor files beside the program run in a fork of this process, which is faster.
 void expect_refused_here(const std::string& line, const std::string& why) {
   const std::string command = line.substr(0, line.find(' '));
@@ -59,7 +59,7 @@ void expect_refused_here(const std::string& line, const std::string& why) {
   EXPECT_EQ(contents(out), "") << line;
 }
 
-/// The message by which an option refuses a value; empty if it accepts it.
+/// The message with which an option refuses a value; empty if it accepts the value.
 std::string refusal(CLI::Option& option, const std::string& value) {
   option.clear();
   try {
@@ -101,7 +101,7 @@ TEST(HostileOptions, of_numbers_accept_only_numbers) {
 const std::string kTenSpheres = "scene/examples/ten-spheres.toml";
 const std::string kOfGivenRays = " scene/examples/lecture-examples.toml";
 
-/// The arguments that commands need before an option is checked.
+/// The arguments without which a command does not check its options.
 const std::map<std::string, std::string> kNeeded = {
     {"check", kTenSpheres},
     {"explain", kTenSpheres + " --pixel 3,3"},
@@ -154,6 +154,20 @@ TEST(HostileOptions, have_the_same_names_in_errors_as_on_the_command_line) {
   EXPECT_GE(texts, 60);
 }
 
+TEST(HostileOptions, that_are_hidden_are_not_shown_by_help) {
+  Program program;
+  for (const tools::Command& command : program.commands) {
+    const std::string help = command.app->help();
+    for (const char* part : {"Excludes: ", "Excludes:\n"}) {
+      for (std::size_t at = 0; (at = help.find(part, at)) != std::string::npos; ++at) {
+        EXPECT_TRUE(has(help.substr(at, 13), "Excludes: -") ||
+                    has(help.substr(at, 13), "Excludes: S"))
+            << command.app->get_name() << ": " << help.substr(at, 40);
+      }
+    }
+  }
+}
+
 TEST(HostileOptions, that_are_unused_are_refused) {
   for (const char* option : {"--timeout 1", "--read .", "--include .", "--bounds cross",
                              "--image-change 0", "--t-threshold 0", "--sandbox none"}) {
@@ -163,9 +177,16 @@ TEST(HostileOptions, that_are_unused_are_refused) {
   }
 }
 
-/// Command lines, where FAR is a scene and OUT an option of a file, and their messages.
+/// Command lines and their messages. FAR stands for a scene, OUT for an option with a file.
 const std::pair<const char*, const char*> kRefused[] = {
-    {"", "subcommand"},
+    {"", "give a command: check, properties"},
+    {"check FAR --topp 3", "--topp: there is no such option; did you mean --top?"},
+    {"check FAR --topp=3", "--topp=3: there is no such option; did you mean --top?"},
+    {"check FAR --nothing", "--nothing: there is no such option\n"},
+    {"check FAR more", "more: is one argument too many"},
+    {"check FAR --format xml", "--format xml: give one of text, json"},
+    {"check FAR --max-ulp x", "--max-ulp x: give a finite number >= 0"},
+    {"check FAR --candidate a:b --read nowhere", "--read nowhere: there is no such folder"},
     {"chekc", "there is no command 'chekc'"},
     // Scenes.
     {"check", "SCENE"},
@@ -190,7 +211,8 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --all --rays direct", "--all"},
     {"image FAR OUT --rays direct", "--rays direct: only --what error"},
     {"image FAR OUT --intersect cross", "--intersect cross: only --what error"},
-    {"stress --method magic", "method magic: no such method"},
+    {"stress --method magic", "--method magic: no such method"},
+    {"stress --methods magic", "--methods magic: no such method"},
     {"worst --method lecture --family rays", "rays/lecture or intersect/lecture"},
     {"worst --method direct --family rays", "has no camera"},
     {"worst --method cross", "--family"},
@@ -202,29 +224,30 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"properties --replay class:direct/cross:distance", "LAW:"},
     {"properties --replay klass:direct/cross:distance:1", "klass"},
     {"properties --replay class:direct/none:distance:1", "direct/none"},
-    {"stress --family moon", "no such family; the families are far-camera"},
-    // Severities stay in the range of a family.
+    {"stress --family moon", "no such source with severities; there are far-camera"},
+    // Severities must be in the range of the source.
     {"properties --source distance@16", "severities of 'distance' are 0 to 15"},
     {"worst --method cross --family distance@77", "0 to 15"},
     {"stress --severity 5..2", "--severity 5..2"},
     {"stress --cases 1 --family distance --severity 9999", "--severity 9999..9999: the severities"},
-    {"stress --family distance --severity 4294967296", "give a whole number from 0 to 2147483647"},
-    {"stress --family distance --severity -1", "--severity -1: give a whole number from 0"},
+    {"stress --family distance --severity 4294967296",
+     "--severity 4294967296: give a severity, or a range"},
+    {"stress --family distance --severity -1", "--severity -1: give a severity, or a range"},
     // Candidates.
     {"worst --family distance", "give --method or --candidate"},
     {"worst --family distance --candidate a:b --candidate c:d", "worst takes only one"},
     {"worst --family distance --method cross --candidate a:b", "excludes"},
     {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
-     "it only draws pictures; this command needs single answers"},
+     "it only draws pictures; this command judges single answers"},
     {"image FAR OUT --candidate a:b", "only --what error shows a candidate or method"},
     {"check FAR --candidate mine", "candidate mine: give library:PATH.so, source:PATH, command:"},
     {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: unknown kind 'elsewhere'"},
     {"check FAR --candidate library:", "give library:PATH.so"},
-    {"check FAR --candidate library:nowhere.so", "No such file or directory"},
+    {"check FAR --candidate library:nowhere.so", "there is no such file or folder\n"},
     {"check FAR --candidate library:README.md", "README.md"},
     {"check FAR --candidate library:tests",
      "--candidate library:tests: it is not a file; give a shared library"},
-    {"check FAR --candidate source:nowhere.cpp", "No such file or directory"},
+    {"check FAR --candidate source:nowhere.cpp", "there is no such file or folder\n"},
     {"check FAR --candidate source:docs", "it contains no .cpp file"},
     {"check FAR --candidate 'command:nosuchprogram --fast'",
      "there is no program 'nosuchprogram' in /usr/local/bin:/usr/bin:/bin"},
@@ -232,14 +255,16 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --candidate 'renderer:nosuchprogram {scene} {image}'",
      "there is no program 'nosuchprogram'"},
     {"check FAR --candidate 'renderer:./rt {scene}'", "{image} is missing"},
-    {"check FAR --candidate command:true", "exited with 0"},
-    {"check FAR --candidate 'command:echo hello'", "hello"},
+    {"check FAR --candidate command:true", "it exited with 0 before it printed 'raycheck 1 NAME'"},
+    {"check FAR --candidate 'command:echo hello'",
+     "its first line is 'hello', not 'raycheck 1 NAME'"},
     {"check FAR --candidate 'command:python3 tests/candidates/hostile.py early'",
      "wrote more after its reply"},
     // Rubrics and submissions.
     {"grade", "RUBRIC"},
     {"grade nowhere.toml README.md --out nowhere", "nowhere.toml: cannot be read"},
     {"grade lecture7.toml README.md", "--out: give a folder for the results"},
+    {"grade lecture7.toml nowhere", "nowhere: there is no such file or folder"},
     {"grade lecture7.toml nowhere --out nowhere", "nowhere: there is no such file or folder"},
     {"grade lecture7.toml README.md README.md --out nowhere", "has the same name, README"},
     {"grade lecture7.toml README.md --package x.png", "SUBMISSION excludes --package"},
@@ -259,8 +284,8 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"rubric lecture7/frame", "rubric lecture7/frame: raycheck has no rubric"},
     {"rubric --out somewhere", "--out requires NAME"},
     // Numbers; octal digits are not accepted.
-    {"properties --cases 010", "give a whole number from 1 to 1000000000, not '010'"},
-    {"properties --cases 0x10", "not '0x10'"},
+    {"properties --cases 010", "--cases 010: give a whole number from 1 to 1000000000"},
+    {"properties --cases 0x10", "--cases 0x10: give a whole number"},
     {"properties --cases 0", "--cases"},
     {"check FAR --pixels 0", "--pixels 0"},
     {"check FAR --pixels some", "--pixels some"},
@@ -268,7 +293,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --top 5000", "--top"},
     // Pixels and sizes: messages give the range.
     {"explain FAR --pixel 16,3", "has 16 x 16 pixels; give a column up to 15 and a row up to 15"},
-    {"explain FAR --pixel 0,0 --sphere 9", "the scene's spheres are numbered 0 to 0"},
+    {"explain FAR --pixel 0,0 --sphere 9", "the scene has only sphere 0"},
     {"view FAR --format json --pixel 16,0", "pixel"},
     {"view FAR --format json --pixel 1,0 --sphere 1", "sphere 1"},
     {"view FAR --format json --sphere 0", "--sphere: also give --pixel"},

@@ -14,7 +14,7 @@ TEST(New, writes_an_adapter_that_compiles_and_reports_missing_functions) {
                                             {"node", "command:node " + folder + "/mine.mjs"}}) {
     const std::string words = std::string("new mine --language ") + language + " --out " + folder;
     expect_parts(run(words, 0).out, {"mine", "raycheck properties --candidate"});
-    expect_parts(run(words, 2).err, {"already exists"});
+    expect_parts(run(words, 2).err, {"already exists; give another NAME"});
     if (std::string(language) == "node" && !is_installed("node")) continue;
     if (std::string(language) == "java") {
       if (!is_installed("javac")) continue;

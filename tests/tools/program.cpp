@@ -24,7 +24,7 @@ class TemporaryNames {
   std::string prefix_ = "raycheck_" + std::to_string(getpid()) + "_";
 };
 
-/// Removes the variables of the environment that change the program's behaviour.
+/// Removes environment variables that change the program's behaviour.
 const bool kIsAlone = [] {
   for (const char* name : {"GITHUB_ACTIONS", "NO_COLOR"}) unsetenv(name);
   return true;
@@ -35,10 +35,10 @@ std::string temporary_path(const std::string& name) {
   return testing::TempDir() + names.prefix() + name;
 }
 
-/// `when`: SIGINT is sent once it holds; null: never.
+/// Sends SIGINT as soon as `when` is true; if `when` is null, never.
 Outcome start(const std::string& program, const std::string& arguments,
               const std::function<bool()>& when = nullptr) {
-  // Threads may wait for programs at once.
+  // Several threads may run programs at the same time.
   static std::atomic<int> started = 0;
   const std::string number = std::to_string(++started);
   const std::string out = temporary_path("out" + number), err = temporary_path("err" + number);

@@ -18,26 +18,28 @@ namespace raycheck::tests {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The outcome of a run of the built program.
+/// The outcome of running the built program.
 struct Outcome {
   int exit_code = -1;
   std::string out;
   std::string err;
 };
 
-/// Runs `raycheck ARGUMENTS` by the shell, in the source folder; may expect an exit code.
+/// Runs `raycheck ARGUMENTS` by the shell, in the source folder. If an exit code is given, expects
+/// it.
 Outcome run(const std::string& arguments, std::optional<int> exit_code = {});
 
-/// Its output under --format json.
+/// The output of `raycheck ARGUMENTS --format json`.
 json printed_json(const std::string& arguments, std::optional<int> exit_code = {});
 
-/// Runs it, and expects exit code 2 and only an error message that contains this.
+/// Runs raycheck; expects exit code 2, an error message that contains this text, and no other
+/// output.
 void expect_refused(const std::string& arguments, const std::string& why);
 
 /// The commands that --help lists, sorted.
 std::vector<std::string> all_commands();
 
-/// Runs `python3 ARGUMENTS` in the same way.
+/// Runs `python3 ARGUMENTS` like run().
 Outcome run_python(const std::string& arguments, std::optional<int> exit_code = {});
 
 /// Runs a script by bash.
@@ -45,16 +47,16 @@ Outcome run_bash(const std::string& script, std::optional<int> exit_code = {});
 
 /// A quoted word for the shell, with any characters.
 std::string quoted(const std::string& text);
-/// Starts a shell's command in the source folder, and does not wait for it.
+/// Starts a shell command in the source folder, without waiting for it.
 pid_t start_shell(const std::string& command);
 
-/// Waits until the condition holds; false if it does not within ten minutes.
+/// Waits until the condition holds; false if it does not hold within ten minutes.
 bool eventually(const std::function<bool()>& holds);
 
-/// Whether this program is installed; if not, tests of it are skipped.
+/// Whether this program is installed. If not, tests with it are skipped.
 bool is_installed(const std::string& program);
 
-/// Starts it, sends SIGINT once `when` holds, and waits for its end.
+/// Starts raycheck, sends SIGINT as soon as `when` is true, and waits for the end.
 Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when);
 
 /// Writes a file into the test's temporary folder and returns its path.
@@ -62,22 +64,22 @@ std::string temporary_file(const std::string& name, const std::string& text);
 
 /// A new folder, accessible to all users, which is removed when the process ends.
 std::string temporary_folder(const std::string& name);
-/// The contents of a folder.
+/// The names of the entries of a folder.
 std::vector<std::string> names_in(const std::string& folder);
-/// A file of an example scene with this number of pixels on each side.
+/// Writes an example scene with this number of pixels on each side; returns the file's path.
 std::string resized_example(const std::string& name, int side);
 
-/// A candidate's source as library:PATH, compiled once for all tests of the process.
+/// A candidate library:PATH, compiled from a source once for all tests of the process.
 const std::string& compiled(const std::string& source);
 
-/// A copy, in a folder, of a submission of tests/submissions (rays.cpp, hostile.cpp, rt.cpp, ...),
-/// built with the mistake of this name ("none": without); its path, NAME.so or NAME.rt.
-/// single_rays.cpp and single_rt.cpp are the same in floats; right.cpp of tests/candidates is
-/// always right.
+/// Builds a submission of tests/submissions (rays.cpp, hostile.cpp, rt.cpp, ...) with the mistake
+/// of this name ("none" for no mistake), and copies it to a folder; returns its path, NAME.so or
+/// NAME.rt. single_rays.cpp and single_rt.cpp are versions in floats; right.cpp of tests/candidates
+/// is always right.
 std::string built_submission(const std::string& source, const std::string& name,
                              const std::string& folder);
 
-/// Sets a variable of the environment during its lifetime.
+/// Sets an environment variable as long as this object exists.
 class Variable {
  public:
   Variable(const char* name, const std::string& value);
@@ -90,11 +92,11 @@ class Variable {
   std::optional<std::string> before_;
 };
 
-/// The text after a label up to the end of the line; empty without that label.
+/// The text after a label, up to the end of the line; empty if the label is missing.
 std::string behind(const std::string& label, const std::string& text);
 
-/// The start of a TOML scene: a camera at the origin that looks along -z at a window from -window
-/// to window, near = -depth.
+/// The start of a TOML scene: a camera at the origin that looks along -z, with bounds from -window
+/// to window and near = -depth.
 std::string camera_text(std::int64_t width, std::int64_t height, double window = 1,
                         double depth = 1);
 
@@ -102,10 +104,10 @@ std::string camera_text(std::int64_t width, std::int64_t height, double window =
 std::string ray_text(const std::string& origin, const std::string& direction);
 std::string sphere_text(const std::string& centre, const std::string& radius);
 
-/// Expects that the text contains all of these.
+/// Expects that the text contains all these parts.
 void expect_parts(const std::string& text, const std::vector<std::string>& parts,
                   const char* file = __builtin_FILE(), int line = __builtin_LINE());
-/// The first object of a list that has this value under a key; or null.
+/// The first object in a list that has this value under a key, or null.
 json found(const json& list, const std::string& key, const json& value);
 /// A hexadecimal number, as in reports.
 double number(const json& text);

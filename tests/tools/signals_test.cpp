@@ -1,25 +1,25 @@
-// SIGINT, SIGTERM and SIGHUP in the middle of every command, readers that close the pipe, and the
-// largest accepted numbers with little memory.
+// Sends SIGINT, SIGTERM and SIGHUP in the middle of every command; closes its output pipe; and
+// tries the largest accepted numbers with little memory.
 
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// How the program is run, and disturbed.
+/// How the program is run and disturbed.
 struct Circumstances {
   int signal = 0;
-  double signal_after = 0;        ///< Seconds, once it catches signals.
+  double signal_after = 0;        ///< Seconds, after it catches signals.
   std::uint64_t memory = 0;       ///< Bytes of address space; 0: no limit.
-  bool stalled = false;           ///< Its output is not read, and is lost.
+  bool stalled = false;           ///< Whether its output is not read, but lost.
   std::string stays_in = "/tmp";  ///< TMPDIR
 };
 
 struct LimitedOutcome {
-  int exit_code = -1;  ///< Minus the signal, if a signal ended it.
+  int exit_code = -1;  ///< If a signal ended it, minus the signal.
   std::string out, err;
-  bool caught = false;         ///< It was seen to catch signals.
-  bool was_signalled = false;  ///< It was still running when the signal was due.
+  bool caught = false;         ///< Whether it was seen to catch signals.
+  bool was_signalled = false;  ///< Whether it was still running when the signal was due.
   double seconds_after = 0;    ///< CPU time from the signal to the end.
 };
 
@@ -29,7 +29,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A process that runs this long after its signal is killed; machines may be loaded.
+/// A process that still runs after this time is killed; the machine may be loaded.
 constexpr double kMostSecondsInAll = 120;
 
 /// The CPU time of a process and its threads.
@@ -43,7 +43,8 @@ double cpu_seconds(pid_t process) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// Whether a process has begun to catch SIGTERM: a loaded machine takes its time to load a program.
+/// Whether a process has begun to catch SIGTERM. On a loaded machine, it takes time to load a
+/// program.
 bool catches_signals(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(file, line);) {
@@ -53,7 +54,7 @@ bool catches_signals(pid_t process) {
   return false;
 }
 
-/// Runs the built program, its standard input open and empty, in the source folder.
+/// Runs the built program in the source folder, with an open, empty standard input.
 LimitedOutcome run_limited(const std::vector<std::string>& arguments, const Circumstances& how) {
   const std::string folder = temporary_folder("limited");
   const std::string out = folder + "/out", err = folder + "/err", pipe = folder + "/pipe";
@@ -62,7 +63,7 @@ LimitedOutcome run_limited(const std::vector<std::string>& arguments, const Circ
   if (how.memory > 0) line += "ulimit -v " + std::to_string(how.memory / 1024) + "; ";
   line += "exec '" RAYCHECK_BINARY "'";
   for (const std::string& word : arguments) line += " " + quoted(word);
-  // A pipe that is open at both ends has no end, and takes little.
+  // A pipe that is open at both ends has no end, and holds only little.
   const pid_t child = start_shell(line + " <>'" + pipe + "' " +
                                   (how.stalled ? "1<>'" + pipe : ">'" + out) + "' 2>'" + err + "'");
   LimitedOutcome outcome;
@@ -99,19 +100,19 @@ LimitedOutcome run_limited(const std::vector<std::string>& arguments, const Circ
   return outcome;
 }
 
-/// The promise is two seconds, in which two threads may compute.
+/// raycheck promises to end within two seconds, in which two threads may compute.
 constexpr double kMostSecondsToEnd = 4;
 
-/// A command line that takes long, or as long as possible. BIG and MANY stand for scenes, UNITS for
-/// a folder of units, OUT for a file or folder to be written.
+/// A command line that takes long. BIG and MANY stand for scenes, UNITS for a folder of units, OUT
+/// for a file or folder to be written.
 struct Line {
   std::string name;
   std::vector<std::string> arguments;
   bool is_json = true;
-  bool is_quick = false;  ///< It may end before it catches signals.
+  bool is_quick = false;  ///< Whether it may end before it catches signals.
 };
 
-const std::string kSilent = "command:python3 tests/candidates/hostile.py sleep";
+const std::string kNeverReplies = "command:python3 tests/candidates/hostile.py sleep";
 const std::string kHangs = "renderer:python3 tests/candidates/rt.py hang {scene} {image}";
 const std::string kTen = "scene/examples/ten-spheres.toml";
 
@@ -120,7 +121,7 @@ const std::vector<Line>& lines() {
       {"check", {"check", "BIG", "--threads", "2"}},
       {"check_many_spheres", {"check", "MANY"}},
       {"check_every_method", {"check", "MANY", "--all"}},
-      {"check_silent", {"check", kTen, "--candidate", kSilent, "--timeout", "60"}},
+      {"check_that_hangs", {"check", kTen, "--candidate", kNeverReplies, "--timeout", "60"}},
       {"check_hanging_renderer", {"check", kTen, "--candidate", kHangs, "--timeout", "60"}},
       {"check_compiling",
        {"check", kTen, "--candidate", "source:tests/candidates/right.cpp", "--pixels", "all"}},
@@ -145,7 +146,7 @@ const std::vector<Line>& lines() {
       {"image", {"image", "BIG", "--out", "OUT.png"}},
       {"image_of_errors", {"image", "MANY", "--what", "error", "--out", "OUT.ppm"}},
       {"view", {"view", "MANY", "--out", "OUT.html"}},
-      {"view_of_a_candidate", {"view", kTen, "--candidate", kSilent, "--timeout", "60"}},
+      {"view_of_a_candidate", {"view", kTen, "--candidate", kNeverReplies, "--timeout", "60"}},
       {"view_of_a_family", {"view", "--family", "distance", "--out", "OUT.html"}},
       {"plan", {"plan", "MANY"}},
       {"plan_classes", {"plan", "BIG", "--wanted", "class"}},
@@ -189,7 +190,8 @@ struct ReadByLines {
   }
 };
 
-/// Moments that differ from line to line; RAYCHECK_SIGNAL_SEED gives others.
+/// The moment of the signal; it differs from line to line. RAYCHECK_SIGNAL_SEED gives other
+/// moments.
 double moment(std::size_t line, int signal) {
   const char* const seed = std::getenv("RAYCHECK_SIGNAL_SEED");
   std::mt19937_64 random((seed == nullptr ? 1 : std::strtoull(seed, nullptr, 10)) * 100000 +
@@ -225,7 +227,7 @@ TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_leave_nothing) {
     const json report = line.is_json ? json::parse(outcome.out, nullptr, false) : json();
     EXPECT_FALSE(report.is_discarded()) << outcome.out.substr(0, 200);
     if (!outcome.was_signalled || outcome.exit_code < 128) {
-      // It was done, or only had to print its report.
+      // The command was done, or had only to print its report.
       EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1 || outcome.exit_code == 4)
           << outcome.exit_code << outcome.err;
       continue;
@@ -286,7 +288,7 @@ constexpr std::uint64_t kMemory = 0;  // its shadow needs all addresses
 constexpr std::uint64_t kMemory = std::uint64_t{1} << 30;
 #endif
 
-/// An interrupt comes after this time, unless the work ends before.
+/// The interrupt comes after this time if the work has not ended before.
 constexpr double kSeconds = 0.5;
 
 LimitedOutcome run_in_memory(const std::vector<std::string>& arguments) {
@@ -366,7 +368,7 @@ TEST(HostileSizes, are_reported_when_memory_is_short) {
   std::string spheres;
   for (int k = 0; k < 50000; ++k) spheres += kSphere;
   const std::string path = temporary_file("many.toml", camera_text(16, 16) + spheres);
-  // Too little for such a scene, but enough to start the program with its libraries.
+  // This memory is too little for such a scene, but enough to start the program with its libraries.
   constexpr std::uint64_t kStep = std::uint64_t{4} << 20, kMost = std::uint64_t{4} << 30;
   std::uint64_t memory = kStep;
   while (memory < kMost && run_limited({"--version"}, {.memory = memory}).exit_code != 0) {

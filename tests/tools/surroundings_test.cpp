@@ -1,5 +1,5 @@
 // The program's environment: a standard output that is closed or full, a machine without apt-get
-// (where `./run` has few programs besides bash), names and files with control characters or bytes
+// (where ./run has few programs besides bash), names and files with control characters or bytes
 // that are not UTF-8, and missing files.
 
 #include "tests/tools/program.h"
@@ -7,7 +7,8 @@
 namespace raycheck::tests {
 namespace {
 
-/// A command without the file or folder that it writes, and the first words of that file.
+/// A command without the name of the file or folder that it writes, and the first words of that
+/// file.
 struct WrittenReport {
   const char* arguments;
   const char* begins;
@@ -44,7 +45,7 @@ TEST(UnwrittenReport, is_reported_and_files_are_complete) {
   }
 }
 
-/// Errors do not go to a file either.
+/// Errors are not written to a file either.
 TEST(UnwrittenReport, leaves_files_unchanged_when_errors_cannot_be_printed) {
   const std::string path = temporary_file("written", "");
   const Outcome outcome = run_to(" >&- 2>&-", kWrittenReports[0].arguments + ("'" + path + "'"));
@@ -89,7 +90,7 @@ TEST(RunScript, names_missing_packages_and_goes_on_if_they_are_installed) {
 }
 
 TEST(RunScript, does_not_ask_cmake_until_the_program_changes) {
-  // A fake CMake that leaves a file behind when it is called; after each change the program is run.
+  // A fake CMake leaves a file behind when it is called. After each change, the program is run.
   const Outcome result = run_without_apt(R"bash(export RAYCHECK_PACKAGES=have
 more="chmod find rm sleep touch"
 then='
@@ -195,7 +196,7 @@ TEST(HostileKeywords, are_shown) {
   }
 }
 
-/// A NUL, which ends C strings, does not cut messages.
+/// A NUL byte, which ends C strings, does not cut messages.
 TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
   const auto file = [](const std::string& name, const std::string& text) {
     return "'" + temporary_file(name, text) + "'";

@@ -66,7 +66,7 @@ def counts():
 TURNS = {
     "so many, so much": r"\b[Ss]o (many|much)\b",
     "is none, are none": r"(?<!\b[Tt]here )\b(is|are) none\b",
-    "is no X": r"(?<!\b[Tt]here )\bis no\b",
+    "is no X": r"(?<!\b[Tt]here )\bis no\b(?! longer\b)",
     "Who ...": r"(^|[.!?;:] )Who(m|se)? [a-z]",
     "whoever": r"\b[Ww]ho(m)?ever\b",
     "nobody": r"\b[Nn]obody\b",

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t kRays = 8;
 
-/// The positions of columns, or rows, as the conventions count them, filled up to whole packets.
+/// The positions of columns or rows under the conventions, padded to whole packets.
 std::vector<float> positions(double low, double high, std::int64_t count, scene::Samples samples,
                              bool is_reversed) {
   std::vector<float> result;

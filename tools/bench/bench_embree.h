@@ -8,12 +8,13 @@
 
 namespace raycheck::tools {
 
-/// A scene's spheres in Embree, in floats, seen by packets of eight rays through neighbouring
-/// pixels of a row: lambda of E + lambda g counts from 1, or from 0 of focal rays.
+/// A scene's spheres in Embree, in floats. Packets of eight rays E + lambda g, through neighbouring
+/// pixels of a row, find the nearest sphere with lambda >= 1; for focal rays, with lambda >= 0.
 /// Source: the Embree 3 manual, RTC_GEOMETRY_TYPE_SPHERE_POINT, rtcIntersect8.
 class EmbreeImage {
  public:
-  /// Whether floats have the squares of its magnitudes; else Embree may end the program.
+  /// Whether the squares of the scene's magnitudes are normal floats. If not, Embree may end the
+  /// program.
   static bool has(const scene::Scene& scene);
 
   /// Domain: has(scene).

@@ -1,5 +1,5 @@
-// Kernels: fixed pieces of work on one thread; a kernel is timed only after its answers were found
-// right.
+// Kernels: fixed pieces of work on one thread. A kernel is timed only after its answers were
+// checked.
 //   --target=NAME   is taken by choose_target; all else is Google Benchmark's
 //   --check         checks the answers of every kernel and says how the program was built
 //   --count         under valgrind --tool=callgrind --collect-atstart=no, dumps one count a kernel
@@ -43,7 +43,7 @@ struct Kernel {
   std::string name;
   std::size_t items;
   std::function<void()> work;
-  std::function<bool()> is_right;  ///< Whether the last work's answers are right.
+  std::function<bool()> is_right;  ///< Whether the answers of the last run are right.
 };
 
 constexpr std::int64_t kSide = 512;
@@ -202,7 +202,7 @@ Kernel campaign(const char* subject, const char* law) {
           [=] { return !result->failure && result->verdict.compared() > 0; }};
 }
 
-/// Every law in one pass, by one thread.
+/// All laws in one pass, on one thread.
 Kernel campaigns() {
   constexpr int kCases = 50;
   properties::LawsOfCandidate asked;
@@ -225,7 +225,7 @@ Kernel campaigns() {
           [=] { return *broken == 0; }};
 }
 
-/// An exact camera, and the exact ray of one pixel with its class.
+/// Makes an exact camera, the exact ray of one pixel, and its hit class.
 Kernel set_up() {
   constexpr std::size_t kCameras = 1000;
   const scene::Camera camera = *tools::camera_of(kSide, kSide).camera;
@@ -279,7 +279,8 @@ std::vector<Kernel> kernels() {
   return result;
 }
 
-/// The build, on which counts depend besides the code; counts.py compares it with the baseline's.
+/// The compiler and build type, on which counts depend, too; counts.py compares them with the
+/// baseline's.
 std::string built_by() {
 #ifndef RAYCHECK_HAS_CALLGRIND
   return "a build without valgrind/callgrind.h";
@@ -292,7 +293,7 @@ std::string built_by() {
   return compiler + ", " RAYCHECK_BUILD_TYPE ", glibc " + gnu_get_libc_version();
 }
 
-/// Counts the second run: the first one allocates room for the answers.
+/// Counts the second run, because the first allocates memory for the answers.
 void count([[maybe_unused]] const Kernel& kernel) {
 #ifdef RAYCHECK_HAS_CALLGRIND
   kernel.work();
@@ -328,7 +329,7 @@ void time_kernel(benchmark::State& state, const Kernel& kernel) {
 int main(int argc, char** argv) {
   const std::string_view mode = argc == 2 ? argv[1] : "";
   const bool checks = mode == "--check", counts = mode == "--count";
-  // Counts use Highway's widest target that valgrind runs and most machines have.
+  // Counts use the widest target of Highway that valgrind supports and most machines have.
   if (!tools::choose_target(argc, argv, checks || counts ? "AVX2" : "")) return 2;
   const std::vector<Kernel> all = kernels();
   if (checks) {

@@ -58,8 +58,8 @@ namespace {
 
 constexpr std::int64_t kSide = 1024;
 
-/// A row of pixels whose plane passes the sphere's surface at the eye, `above` of its radius from
-/// it: 0, and all rays of an upright camera are exactly tangent.
+/// A row of pixels. The plane of its rays passes the sphere's surface at a distance of `above`
+/// radii; if that is 0, all rays of an upright camera are exactly tangent.
 scene::Scene tangent_row(double above, const scene::Point3& look_at = {0, 0, -1}) {
   scene::Scene scene;
   scene.camera = scene::Camera{{0, 0, 0}, look_at, {0, 1, 0},     -1, std::nullopt, -0.75, 0.75,
@@ -71,7 +71,7 @@ scene::Scene tangent_row(double above, const scene::Point3& look_at = {0, 0, -1}
   return scene;
 }
 
-/// The same, exactly tangent, with positions that are not double-doubles.
+/// A row of exactly tangent rays whose positions are not double-doubles.
 scene::Scene tangent_by_edges() {
   scene::Scene scene = tangent_row(0);
   scene.camera->bottom = 0;
@@ -90,7 +90,7 @@ scene::Scene moved(double x) {
   return scene;
 }
 
-/// The same seen through a narrow window from a distance larger by this factor.
+/// The hundred spheres, seen through a narrow window from a distance larger by this factor.
 scene::Scene from_afar(double times) {
   scene::Scene scene = in_view(100);
   scene::Camera& camera = *scene.camera;
@@ -125,8 +125,8 @@ std::vector<HardScene> hard_scenes() {
 }
 
 scene::Scene unrelated_rays() {
-  // Not a multiple of 512: loads from one array would wait for stores to another at equal addresses
-  // modulo 4096.
+  // With a multiple of 512, loads from one array would wait for stores to another at the same
+  // address modulo 4096.
   constexpr int kRays = 4000;
   scene::Scene scene;
   scene.spheres = {kBenchSphere};
@@ -204,7 +204,7 @@ std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::Intersec
   properties::Trial trial(the_case, candidate);
   for (const properties::Law& law : properties::laws()) {
     if (!law.judges_values || !law.tells_stability) continue;
-    // Some of many rays graze: there less stable methods exceed their bounds.
+    // Some of the rays graze; for these, less stable methods exceed their bounds.
     if (law.quantity == properties::Quantity::kParameter && !intersect.not_kept.empty()) continue;
     if (!apply(law, trial).holds()) {
       return candidate.name + " breaks the law " + std::string(law.name);

@@ -1,6 +1,6 @@
 // Primary rays of whole images: certified visibility, the same code without certificates, and
-// Embree where it was found. Items are rays; ray set-up is included everywhere, plans and scene
-// builds are excluded and reported in ms as the counters `plan_ms` and `build_ms`. Before anything
+// Embree if it was found. Items are rays. Making the rays is included in all times; plans and scene
+// builds are not, and are reported in ms by the counters `plan_ms` and `build_ms`. Before anything
 // is timed, a sample of certified pixels, and all pixels of the small scenes, are compared with the
 // exact ray.
 //   --target=NAME    is taken by choose_target; all else is Google Benchmark's
@@ -41,7 +41,7 @@ struct Shipped {
   scene::Scene scene;
 };
 
-/// The scenes of scene/examples/ that have a camera, in 1024 x 1024 pixels.
+/// The scenes in scene/examples/ that have a camera, with 1024 x 1024 pixels.
 std::vector<Shipped> shipped() {
   std::vector<Shipped> result;
   for (const auto& entry : std::filesystem::directory_iterator(RAYCHECK_EXAMPLES)) {
@@ -55,7 +55,7 @@ std::vector<Shipped> shipped() {
   return result;
 }
 
-/// A scene of each stress family with a camera, at some severities, in 128 x 128 pixels.
+/// A scene of each source with severities and a camera, at some severities, with 128 x 128 pixels.
 std::vector<Shipped> families() {
   constexpr std::int64_t kSide = 128;
   constexpr int kSeverities = 6;
@@ -109,7 +109,8 @@ struct Prepared {
 
   const scene::Scene& scene() const { return visibility->scene(); }
 
-  /// Pixels compared with the exact ray, which tests every sphere: limited by a budget of pairs.
+  /// Compares pixels with the exact ray, which tests every sphere; a budget of pairs limits their
+  /// number.
   void check() {
     const scene::Camera& camera = *scene().camera;
     const std::size_t pixels = truth.sphere.size();
@@ -181,7 +182,7 @@ void visibility(benchmark::State& state, By by, const Prepared& prepared) {
   state.counters["wrong"] = static_cast<double>(wrong);
 }
 
-/// It is planned and checked once, and only if it is timed.
+/// The scene is planned and checked once, and only if it is timed.
 void register_scene(const std::string& name, const scene::Scene& scene) {
   const auto prepared = std::make_shared<std::optional<const Prepared>>();
   for (const auto& [by, what] : {std::pair(By::kCertified, "/certified"),

@@ -20,7 +20,7 @@ import tempfile
 MOST_MORE = 0.05
 SKIPPED = 77
 ACCEPT = "./run bench --counts --accept"
-# The C library's plainest variants for the processor; nothing from the user's environment.
+# Uses the C library's plainest variants for the processor, and nothing from the user's environment.
 ENVIRONMENT = {
     "PATH": os.environ.get("PATH", ""),
     "LC_ALL": "C",
@@ -60,7 +60,7 @@ def counted(program):
 
 
 def compared(before, now):
-    """Prints a line per kernel; returns messages about changed counts."""
+    """Prints a line for each kernel; returns messages about changed counts."""
     wrong = []
     for name in sorted(before.keys() | now.keys()):
         if name not in now:

@@ -40,12 +40,12 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
   return draft;
 }
 
-/// The mistakes that explain the errors of a candidate: in its picture, which is kept and asked for
-/// again, or in its answers about some rays.
+/// The mistakes that explain the errors of a candidate: in its picture, which is stored, or in its
+/// answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (report.implementation.methods || report.verdict.holds()) return {};
-  // Mistakes in pictures are tried only if every root >= 0 counts.
+  // Mistakes in pictures are searched for only if every root >= 0 counts.
   if (report.implementation.draws() && !report.conventions.valid.is_usual()) return {};
   const Candidate candidate = report.implementation.make();
   try {
@@ -69,15 +69,18 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
   draft.report.explanations = explained(draft.report, draft.report.asked.value_or(given));
   for (const Law& law : properties::laws()) {
     const auto found = draft.left_out.find(law.name);
-    if (found != draft.left_out.end()) {
+    // Some rays without hits do not leave out a law of hits.
+    const bool is_judged = law.per == properties::Per::kPair &&
+                           law.quantity != properties::Quantity::kClass &&
+                           draft.report.verdict.tally(law.quantity).cases > 0;
+    if (found != draft.left_out.end() && !is_judged) {
       draft.report.left_out.push_back({std::string(law.name), found->second});
     }
   }
   return std::move(draft.report);
 }
 
-/// The scene, and the implementations as they are to be given it: renderers in the file's own
-/// dialect, where they do not keep their form.
+/// The scene. Renderers that do not keep their form are changed to the dialect of the file.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
   scene::LoadedScene loaded =
@@ -89,9 +92,9 @@ scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>
   return loaded;
 }
 
-/// Without pairs of methods that do the same as an earlier one on this scene: those that differ
-/// only in the ray method if it has no camera, only in the intersection method if it has no
-/// spheres.
+/// The implementations without pairs that do the same as an earlier pair on this scene. If the
+/// scene has no camera, pairs that differ only in the ray method are the same; if it has no
+/// spheres, pairs that differ only in the intersection method.
 std::vector<Implementation> without_equals(const std::vector<Implementation>& implementations,
                                            const scene::Scene& scene) {
   if (implementations.size() == 1) return implementations;

@@ -3,9 +3,11 @@
 #include <memory>
 #include <string>
 
-#include "tools/arguments.h"
+#include "properties/verdict.h"
+#include "tools/candidate_arguments.h"
 #include "tools/check/check.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/gate_arguments.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
@@ -41,7 +43,7 @@ int run_check(CheckArguments& arguments) {
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   Gate gate = check_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = check_gate(report);  // now with the baseline
+  if (report.ratchet) gate = check_gate(report);  // again, with the baseline
   print_warnings(report.warnings);
   files.write(kCheckViews, report, gate);
   if (certificates) certificates->write(check_certificates(report));
@@ -64,24 +66,24 @@ CommandRun add_check(CLI::App& command) {
       .add_option("SCENE", arguments.options.path, "a TOML scene, or a driver file of the course")
       ->required();
   command.add_option("--dialect", judged.dialect,
-                     "of a driver file: A, B or C; if a candidate is a renderer, of the files "
-                     "that it is given: also 2017 to 2020, auto (what it reads), or a form such as "
-                     "B:17:no-light (default: the scene's own, else B)");
+                     "the format of driver files: A, B or C; for renderers also 2017 to 2020, auto "
+                     "(what the renderer reads), or a form such as B:17:no-light (default: the "
+                     "scene's own, else B)");
   CLI::Option* const rays =
       command.add_option("--rays", judged.rays, "the method that makes rays (default: direct)");
   CLI::Option* const intersect =
       command.add_option("--intersect", judged.intersect,
                          "the method that intersects rays; may be repeated (default: "
                          "cross)");
-  add_external(command, judged.external);
-  add_renderer(command, judged.external);
+  add_judged(command, judged.external);
   command.add_flag("--all", arguments.all, "every pair of methods")
       ->excludes(rays, intersect, command.get_option("--candidate"));
   command.add_option("--pixels", arguments.pixels, "all, or a number of pixels, spread evenly")
       ->capture_default_str();
-  add_top(command, arguments.options.top);
+  add_number(command, "--top", arguments.options.top, 0, properties::kKeptDiscrepancies,
+             "the number of worst discrepancies to show");
   add_max_ulp(command, arguments.options.max_error,
-              "errors above this are discrepancies (default: the method's documented bound)");
+              "errors above this are discrepancies (default: the documented bounds)");
   add_strict(command, arguments.options.strict);
   add_threads(command, arguments.threads, "the report");
   add_shards(command, arguments.shards);

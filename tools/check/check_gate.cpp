@@ -29,7 +29,7 @@ Identity identity_of(const Discrepancy& discrepancy, const CheckReport& report,
           candidate.lasting_name};
 }
 
-/// The discrepancies that count against a candidate, the worst first; or the undecided ones.
+/// The defects of a candidate, the worst first, or its undecided discrepancies.
 std::vector<Discrepancy> found_of(const CheckReport& report, const CandidateReport& candidate,
                                   bool is_held) {
   std::vector<Discrepancy> found = candidate.verdict.worst(properties::kKeptDiscrepancies);
@@ -99,7 +99,8 @@ void add_checks(Gate& gate, const CheckReport& report, const CandidateReport& ca
     gate.checks.push_back({candidate.name, fmt::format("{}/{}", one.law, report.path),
                            GateOutcome::kLeftOut, one.reason});
   }
-  // If there are more discrepancies than are kept, missing ones may have been dropped.
+  // Only the worst kKeptDiscrepancies are kept: if there are more, a baseline entry that is not
+  // found here may still occur.
   const bool has_all = candidate.verdict.discrepancies() < properties::kKeptDiscrepancies;
   if (report.interrupted || !has_all || !candidate.is_judged()) return;
   for (const properties::Law& law : properties::laws()) {

@@ -8,7 +8,7 @@ namespace raycheck::tools {
 
 namespace {
 
-/// Null where every root >= 0 counts.
+/// The hits that an interval or culling excludes; null if every root >= 0 counts.
 Json excluded_json(const CandidateReport& candidate) {
   if (candidate.conventions.valid.is_usual()) return nullptr;
   const auto counts = [](const ExcludedOfSphere& one) {
@@ -87,7 +87,7 @@ namespace {
 
 using properties::Discrepancy;
 
-/// The subject of a question: the scene, or the ray given instead of a pixel.
+/// What a question was about: the scene, or the ray that the candidate got instead of a pixel.
 struct Asked {
   scene::Scene scene;
   Discrepancy discrepancy;

@@ -14,8 +14,8 @@ namespace {
 
 using properties::Quantity;
 
-/// Findings per candidate, one for each ray and sphere: its worst discrepancies or, without any,
-/// its largest errors.
+/// At most this many findings of each candidate, one for each ray and sphere: its worst
+/// discrepancies or, if there are none, its largest errors.
 constexpr std::size_t kMostFindings = 8;
 constexpr std::size_t kMostDiscrepancies = 64;
 
@@ -25,19 +25,18 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   return candidate.implementation.name_in(is_of_rays ? Stage::kRays : Stage::kIntersection);
 }
 
-/// The mistakes that explain a candidate's wrong answers, in a sentence; or empty.
+/// The mistakes that explain a candidate's wrong answers, in a sentence; empty if there are none.
 std::string looks_like(const std::vector<properties::Explanation>& explanations) {
   std::string text;
   for (const properties::Explanation& one : explanations) {
     if (one.explained == 0 || one.sentence == properties::kNotNumbers) continue;
-    text += fmt::format("{}{} (explains {} of {} wrong answers)",
-                        text.empty() ? "Probable mistake: " : "; or ", one.sentence, one.explained,
-                        one.errors);
+    text += (text.empty() ? "Probable mistake: " : " Or: ") +
+            explained_text(one.sentence, one.explained, one.errors, "answers") + ".";
   }
-  return text.empty() ? text : text + ".";
+  return text;
 }
 
-/// Where to show a discrepancy that has no place: one of the camera, or a failure.
+/// A selection for a discrepancy without a place: one of the camera, or a failure.
 Selection anywhere_in(const scene::Scene& scene) {
   if (!scene.camera) return {{}, std::size_t{0}, {}};
   return {scene::Pixel{scene.camera->width / 2, scene.camera->height / 2}, {}, {}};
@@ -50,7 +49,9 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
     Selection selection = selection_of(one.place, scene);
     const bool is_placed = is_of_ray(selection) && has_place(one.quantity);
     if (!is_placed) selection = anywhere_in(scene);
-    std::string what = fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
+    std::string what = one.quantity == Quantity::kRefusal
+                           ? discrepancy_head(one)
+                           : fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
     if (one.quantity == Quantity::kNearestSphere) {
       what += fmt::format(", {} for {}", got_text(one), exact_text(one));
     }
@@ -85,7 +86,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
   return findings;
 }
 
-/// Candidates shown in one view: raycheck's methods together, every external one separately.
+/// The candidates of one view: all of raycheck's methods, or one external candidate.
 using Group = std::vector<const CandidateReport*>;
 
 std::vector<Group> groups_of(const CheckReport& report) {
@@ -102,7 +103,7 @@ std::vector<Group> groups_of(const CheckReport& report) {
   return groups;
 }
 
-/// A remark on the first discrepancy listed, placed after its location.
+/// A remark after the place of the first listed discrepancy.
 std::string worst_of(std::uint64_t listed, std::uint64_t all) {
   if (all == 1) return ", the only discrepancy here";
   return fmt::format(", the worst of {} discrepancies here; {} listed", all,

@@ -43,31 +43,32 @@ std::string class_error_text(const Tally& tally) {
   return text.empty() ? "0" : text;
 }
 
-/// Where a quantity is worst, if it has errors.
+/// The place of a quantity's largest error, if it has errors.
 std::string worst_text(const Tally& tally, Quantity quantity) {
   std::string text;
   if (tally.worst > 0 && has_place(quantity)) text = place_text(tally.worst_place);
   if (tally.ill_conditioned > 0) {
-    text += fmt::format("{}({} ill-conditioned)", text.empty() ? "" : " ", tally.ill_conditioned);
+    text += fmt::format("{}({} above the bound: ill-conditioned)", text.empty() ? "" : " ",
+                        tally.ill_conditioned);
   }
   return text;
 }
 
-/// The comparisons of a candidate, a row per quantity.
+/// A table of a candidate's comparisons, with a row for each quantity.
 std::string quantities_table(const CandidateReport& candidate) {
   Table table(
       {"quantity", ">cases", "class errors", ">median", ">max", ">bound", "unit", "worst at"});
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     const bool measured = !tally.errors.empty();
-    table.add({std::string(info(quantity).name), std::to_string(tally.cases),
-               measured ? "" : class_error_text(tally), error_text(tally.median()),
-               error_text(tally.max()), error_text(tally.bound()),
+    table.add({quantity == Quantity::kRefusal ? "no answer" : std::string(info(quantity).name),
+               std::to_string(tally.cases), measured ? "" : class_error_text(tally),
+               error_text(tally.median()), error_text(tally.max()), error_text(tally.bound()),
                std::string(unit_name(quantity, candidate.precision)), worst_text(tally, quantity)});
   }
   return table.text();
 }
 
-/// The hits that an interval of parameters, or culling, excludes.
+/// The text about hits that an interval of valid roots, or culling, excludes.
 std::string excluded_text(const CandidateReport& candidate) {
   if (candidate.conventions.valid.is_usual()) return "";
   const ExcludedHits& excluded = candidate.excluded;
@@ -89,7 +90,7 @@ std::string excluded_text(const CandidateReport& candidate) {
 std::string precision_text(const CandidateReport& candidate) {
   std::string text;
   if (candidate.made_unit > 0) {
-    text = fmt::format("  demands unit directions: {} normalised before judging\n",
+    text = fmt::format("  takes only unit directions: {} normalised before judging\n",
                        count_text(candidate.made_unit, "direction"));
   }
   if (candidate.precision == scene::Precision::kDouble) return text;
@@ -103,17 +104,26 @@ std::string precision_text(const CandidateReport& candidate) {
 std::string failures_text(const properties::FailureSearch& search) {
   if (search.batches == 0) return "";
   std::string text =
-      fmt::format("  failed on {}, retried in halves: {} found to fail (at most {} are sought)",
-                  count_text(static_cast<std::uint64_t>(search.batches),
-                             search.batches == 1 ? "batch" : "batche"),
-                  count_text(static_cast<std::uint64_t>(search.found), "question"),
-                  properties::kMostFailuresSought);
-  if (search.together > 0) text += fmt::format(", {} fail only as a whole", search.together);
-  if (search.not_sought > 0) text += fmt::format(", {} more not retried", search.not_sought);
+      fmt::format("  failed on {}", count_text(static_cast<std::uint64_t>(search.batches),
+                                               search.batches == 1 ? "batch" : "batche"));
+  if (search.found == 0 && search.together == 0) {
+    return text + "; no single question that fails was found\n";
+  }
+  text += fmt::format("; halving found {} that fail{} (at most {} are sought)",
+                      count_text(static_cast<std::uint64_t>(search.found), "question"),
+                      search.found == 1 ? "s" : "", properties::kMostFailuresSought);
+  if (search.together > 0) {
+    text += fmt::format(", {} whose halves are answered",
+                        count_text(static_cast<std::uint64_t>(search.together), "part"));
+  }
+  if (search.not_sought > 0) {
+    text += fmt::format(", {} not retried",
+                        count_text(static_cast<std::uint64_t>(search.not_sought), "other failure"));
+  }
   return text + "\n";
 }
 
-/// A line with the command that asks this question again, if there is one.
+/// A line with the command that asks this question again; empty if there is none.
 std::string replay_text(const CheckReport& report, const CandidateReport& candidate,
                         const properties::Discrepancy& discrepancy) {
   const scene::Scene& scene = *discrepancy.failed.scene;
@@ -163,7 +173,7 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
   if (!implementation.isolated_by.empty()) text += "  isolated by: " + implementation.isolated_by;
   text += "\n";
   if (!implementation.bounds_of.empty() && !report.max_error) {
-    text += fmt::format("  documents no bounds: judged by those of {} (--bounds)\n",
+    text += fmt::format("  states no error bounds, so those of {} apply; --bounds chooses others\n",
                         implementation.bounds_of);
   }
   if (!(candidate.conventions == report.scene.conventions)) {
@@ -171,11 +181,18 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
                         conventions_text(candidate.conventions));
   }
   if (candidate.given_rays) {
-    text += "  makes no rays from this origin: was given raycheck's rays, correctly rounded\n";
+    const bool is_focal = candidate.conventions.origin == scene::Origin::kFocal;
+    text += fmt::format("  has no {}_ray(): is given raycheck's rays, correctly rounded\n",
+                        is_focal ? "focal" : "pixel");
   }
   text += precision_text(candidate) + excluded_text(candidate) + quantities_table(candidate);
   const char* const answers = implementation.draws() ? "pixels" : "answers";
   text += indented(explanations_text(candidate.explanations, answers), "  ");
+  if (std::ranges::any_of(candidate.explanations, [](const properties::Explanation& one) {
+        return one.sentence == properties::kTooFewErrors;
+      })) {
+    text += "  `raycheck properties` tries more cases\n";
+  }
   return text + failures_text(candidate.search) + too_few_text(candidate);
 }
 
@@ -185,7 +202,8 @@ struct RankedDiscrepancy {
   properties::Discrepancy discrepancy;
 };
 
-/// Defects first; the worst of each candidate before the second worst of any.
+/// The worst discrepancies: defects first, and the worst of every candidate before the second worst
+/// of any.
 std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
   std::vector<RankedDiscrepancy> ranked;
   for (const CandidateReport& candidate : report.candidates) {
@@ -215,9 +233,8 @@ std::string too_few_text(const CandidateReport& candidate) {
   }
   const auto too_few = candidate.too_few_judged();
   if (!too_few) return "";
-  return fmt::format(
-      "  too few judged: {}: no answer is right without an excuse where \"{}\" is expected\n",
-      info(too_few->first).name, name(too_few->second));
+  return fmt::format("  too few judged: {}: none of the {} is answered right without an excuse\n",
+                     info(too_few->first).name, expected_text(too_few->second));
 }
 
 std::vector<std::string> left_out_lines(const CheckReport& report) {
@@ -230,7 +247,7 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
   if (report.scene.camera && report.scene.camera->far) {
     lines.emplace_back("camera.far: no quantity depends on it");
   }
-  lines.emplace_back("laws that relate several answers: raycheck properties tries them");
+  lines.emplace_back("laws that compare several answers, which `raycheck properties` tries");
   /// The laws left out for one reason, for all candidates or for one, in order.
   struct Group {
     std::string whose, reason;
@@ -263,8 +280,13 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
 std::string check_text(const CheckReport& report, const ViewOptions& options) {
   std::string text = scene_text(report);
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
-  text +=
-      fmt::format("{} of {} judged\n", report.rays_judged, count_text(report.rays_in_scene, "ray"));
+  std::uint64_t failures = 0;
+  for (const CandidateReport& candidate : report.candidates) {
+    failures += candidate.verdict.tally(Quantity::kRefusal).cases;
+  }
+  const bool is_judged = failures == 0 || report.compared() > failures;
+  text += fmt::format("{} of {} judged\n", is_judged ? report.rays_judged : 0,
+                      count_text(report.rays_in_scene, "ray"));
   for (const CandidateReport& candidate : report.candidates) {
     text += candidate_text(report, candidate);
   }

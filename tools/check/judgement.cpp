@@ -41,7 +41,8 @@ void keep_worst(std::vector<ExcludedHit>& worst) {
   if (worst.size() > kKeptExcluded) worst.resize(kKeptExcluded);
 }
 
-/// For the rays and spheres of a trial, from the exact answers; empty if every root >= 0 counts.
+/// The excluded hits of a trial's rays and spheres, from exact answers; empty if every root >= 0
+/// counts.
 ExcludedHits excluded_hits(properties::Trial& trial) {
   ExcludedHits found;
   const scene::Conventions& conventions = trial.conventions();
@@ -78,7 +79,7 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, const Candidate
   ChunkVerdict found;
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
-    // Candidates other than renderers make no images: not worth a line.
+    // Candidates that are not renderers make no images; a line about that is needless.
     if (law.per == Per::kImage && !candidate.image) continue;
     Verdict verdict = trials.apply(law);
     if (!verdict.reason_left_out().empty())
@@ -176,8 +177,9 @@ void Judgement::merge(ChunkVerdicts& verdicts, std::uint64_t first) {
   }
 }
 
-/// Judges a failed chunk again, in parts: with a separate candidate, one chunk after the other, so
-/// that the search does not depend on threads. If it does not fail this time, the verdict stays.
+/// Judges a failed chunk again, in parts. A separate candidate does this, one chunk after the
+/// other, so that the search does not depend on threads. If the chunk does not fail this time, its
+/// verdict stays.
 void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed) {
   CandidateReport& report = drafts_[k].report;
   if (report.search.is_over()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How `check` judges many rays. Internal to it.
+// How `check` judges many rays. Internal to `check`.
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -23,11 +23,11 @@
 
 namespace raycheck::tools {
 
-/// Rays judged at a time: between chunks progress is shown and interrupts are handled. Mistakes are
-/// searched for on the first chunk.
+/// The number of rays judged at a time. After each chunk, progress is shown and interrupts are
+/// handled. Mistakes are searched for on the first chunk.
 inline constexpr std::size_t kChunk = 512;
 
-/// Reasons by law.
+/// Why laws were left out, by law.
 using ReasonsLeftOut = std::map<std::string, std::string, std::less<>>;
 
 /// A candidate's report while it is being made.
@@ -41,10 +41,10 @@ class ScenesOfFormats {
  public:
   struct InFormat {
     properties::RoundedCase rounded;
-    /// Its rays; empty if the format cannot hold the scene.
+    /// The scene's rays; empty if the format cannot hold the scene.
     std::optional<properties::SceneCases> cases;
   };
-  /// In the given format, and in those of these candidates.
+  /// Rounds the scene to doubles and to the formats of these candidates.
   ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels,
                   const std::vector<Implementation>& implementations) {
     const auto add = [&](properties::InputFormat format) {
@@ -65,18 +65,18 @@ class ScenesOfFormats {
 
 /// The verdict on one candidate on a chunk of the rays.
 struct ChunkVerdict;
-using ChunkVerdicts = std::vector<ChunkVerdict>;  ///< On each.
+using ChunkVerdicts = std::vector<ChunkVerdict>;  ///< One for each candidate.
 
-/// Judges the rays of drafts chunk by chunk. Every thread has separate candidates; chunks share
-/// only the plans, and their verdicts are merged in the order of the rays.
+/// Judges the rays for the drafts' candidates, chunk by chunk. Every thread has separate
+/// candidates. Chunks share only the plans; their verdicts are merged in the order of the rays.
 class Judgement {
  public:
   /// The arguments must outlive it.
   Judgement(std::optional<double> max_error, const ScenesOfFormats& scenes,
             std::vector<Draft>& drafts);
 
-  /// Counts the rays judged, and reports progress after each chunk. `units`: null, or where the
-  /// results of chunks are kept.
+  /// Judges all chunks; sets the number of rays judged, and calls `tell` after each chunk. `units`
+  /// stores the results of chunks, and may be null.
   void run(const properties::RunControl& control, Units* units, std::uint64_t& rays_judged,
            const std::function<void()>& tell);
 
@@ -91,7 +91,8 @@ class Judgement {
   /// By format.
   std::array<std::vector<scene::ScenePlan>, properties::kInputFormats.size()> plans_;
   tbb::enumerable_thread_specific<std::vector<properties::Candidate>> candidates_;
-  std::vector<std::optional<properties::Candidate>> searchers_;  ///< For those that have failed.
+  /// For candidates that have failed.
+  std::vector<std::optional<properties::Candidate>> searchers_;
 };
 
 }  // namespace raycheck::tools

@@ -28,15 +28,15 @@ using reference::ExactRay;
 
 std::vector<ClosedForm> coordinates(const ClosedForm3& form) { return {form.begin(), form.end()}; }
 
-/// The explained ray in exact and symbolic form.
+/// The ray to explain, in exact and symbolic form.
 struct Subject {
   ExactRay exact;
   reference::ClosedFormRay symbolic;
   bool from_camera;
 };
 
-/// The double nearest to a number that can be enclosed at any precision; 0 if its closed form is 0,
-/// which enclosures cannot prove.
+/// The double nearest to a number that can be enclosed at any precision. If the closed form is 0,
+/// which enclosures cannot prove, 0.
 double rounded(const std::function<Enclosure(int)>& enclose, const ClosedForm& closed_form) {
   if (closed_form.is_zero()) return 0;
   constexpr int kMostBits = 1 << 14;
@@ -65,7 +65,7 @@ Step vector_step(const char* symbol, const char* formula, const ClosedForm3& clo
   return step;
 }
 
-/// T = C - L as an enclosure.
+/// An enclosure of T = C - L.
 Enclosure3 to_centre(const Subject& subject, const scene::Sphere& sphere, int bits) {
   const Enclosure3 centre = {Enclosure(sphere.centre.x, bits), Enclosure(sphere.centre.y, bits),
                              Enclosure(sphere.centre.z, bits)};
@@ -150,7 +150,7 @@ void derive_sphere(const Subject& subject, const scene::Sphere& sphere, const Sp
       reference::condition_of_point(ray, sphere, at), alone.point);
 }
 
-/// The roots >= 0 that do not count, before the one that does, `taken`.
+/// The roots >= 0 before `taken`, the one that counts.
 std::vector<RootLeftOut> roots_left_out(const ExactRay& ray, const scene::Sphere& sphere,
                                         const reference::Intersection& taken,
                                         const scene::Conventions& conventions) {
@@ -189,12 +189,12 @@ SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
   return report;
 }
 
-/// The scene under the conventions, and in the format, of the candidate.
+/// The scene under the candidate's conventions and in its format.
 scene::Scene asked_scene(const ExplainOptions& options, const std::optional<Candidate>& other,
                          std::size_t& rounded_numbers) {
   scene::Scene scene = options.scene;
   scene::require_valid(scene);
-  // As in check: if a method makes rays from the eye only, they are judged from the eye.
+  // As in `check`: if a method makes rays only from the eye, it is judged with the eye as origin.
   if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
   if (!other) return scene;
   scene.conventions = other->declared.over(scene.conventions);
@@ -228,7 +228,7 @@ void report_all_rays(const Case& the_case, const std::optional<Candidate>& other
   if (other) add(*other, nullptr);
 }
 
-/// All methods' answers about the case's one sphere.
+/// Adds the answers of all methods about the case's one sphere.
 void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& rays,
                               const std::optional<Candidate>& other, ExplainReport& report) {
   SharedTruths truths(the_case);
@@ -299,7 +299,9 @@ ExplainReport explain(const ExplainOptions& options) {
   if (*report.sphere >= scene.spheres.size()) {
     throw scene::InvalidInput(
         "sphere", std::to_string(*report.sphere),
-        fmt::format("the scene's spheres are numbered 0 to {}", scene.spheres.size() - 1));
+        scene.spheres.size() == 1
+            ? "the scene has only sphere 0"
+            : fmt::format("the scene's spheres are numbered 0 to {}", scene.spheres.size() - 1));
   }
   const scene::Sphere& sphere = scene.spheres[*report.sphere];
   const SphereReport& exact = report.spheres[*report.sphere];

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/verdict.h"
+#include "properties/discrepancy.h"
 #include "reference/account/closed_form.h"
 #include "reference/exact_ray.h"
 #include "scene/scene.h"
@@ -16,51 +16,56 @@
 
 namespace raycheck::tools {
 
-/// The explained ray of a scene (a camera's pixel or a given one), and one sphere, if any.
+/// The ray to explain (of a camera's pixel, or the given ray), and one sphere, if any.
 struct ExplainOptions {
   scene::Scene scene;
-  std::optional<scene::Pixel> pixel;  ///< If the scene has a camera.
-  std::optional<std::size_t> sphere;  ///< Empty: the one met first, or else the first.
+  std::optional<scene::Pixel> pixel;  ///< Only if the scene has a camera.
+  /// Empty: the sphere met first; if none is met, the first in the file.
+  std::optional<std::size_t> sphere;
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Makes the rays to intersect.
-  /// An external candidate, whose conventions all explanations use; or null.
+  /// An external candidate, or null. All explanations use its conventions.
   std::shared_ptr<const Implementation> other = nullptr;
 };
 
-/// One step of the exact derivation: a scalar or three coordinates.
+/// One step of the exact derivation; its value is a number or three coordinates.
 struct Step {
   std::string symbol;
   std::string formula;
-  std::vector<reference::ClosedForm> closed_form;  ///< One, or three coordinates.
+  std::vector<reference::ClosedForm> closed_form;  ///< One form, or three.
   std::vector<double> rounded;  ///< Correctly rounded; empty if the closed form is an input.
-  std::optional<double> condition = {};        ///< kappa with respect to the scene's numbers.
-  std::optional<double> condition_alone = {};  ///< kappa with respect to the step's operands.
+  /// The condition number with the scene's numbers as inputs.
+  std::optional<double> condition = {};
+  /// The condition number with the step's operands as inputs.
+  std::optional<double> condition_alone = {};
 };
 
 /// A method's value at a step, and its error.
 struct MethodStep {
   std::string symbol;
-  std::vector<double> value;    ///< Empty if it has none (a miss).
-  std::optional<double> error;  ///< From the exact value; empty if either is a miss.
-  std::string_view unit;        ///< Of its errors.
-  /// The error of only this step, whose operands are the method's values of earlier steps, taken as
-  /// exact; empty if it has none.
+  std::vector<double> value;    ///< Empty for a miss.
+  std::optional<double> error;  ///< The error; empty if the method or the exact answer is a miss.
+  std::string_view unit;        ///< The unit of both errors.
+  /// The error of this step with the method's values of earlier steps taken as exact; empty if
+  /// there is none.
   std::optional<double> error_alone = {};
 };
 
 struct MethodReport {
   std::string name;
   std::vector<MethodStep> steps;
-  bool is_other = false;            ///< Not one of raycheck's own.
-  bool intersects = false;          ///< An intersection method; only then are the next four valid.
-  bool makes_ray = false;           ///< It makes the pixel's ray; else it is given that.
-  std::optional<double> parameter;  ///< Empty: a miss.
-  std::optional<double> ulp_error;  ///< Empty unless both hit.
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format of that ulp.
-  /// The first discrepancy that the laws find in its answers, if any.
+  bool is_other = false;  ///< Whether it is an external candidate.
+  /// Whether it is an intersection method. Only then are the next four members valid.
+  bool intersects = false;
+  bool makes_ray = false;           ///< Whether it makes the pixel's ray. If not, it gets that ray.
+  std::optional<double> parameter;  ///< s; empty for a miss.
+  /// The error of s; empty unless the method and the exact answer are hits.
+  std::optional<double> ulp_error;
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format of the ulp.
+  /// The first discrepancy that the laws find in its answers; empty if there is none.
   std::optional<properties::Discrepancy> wrong = {};
-  std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: all are right.
+  std::string goes_wrong_at;  ///< The symbol of the first wrong step; empty if all are right.
 
-  /// How it gave no answer, after these steps; empty: it did.
+  /// Why it gave no answer after these steps; empty if it gave one.
   std::string failure() const {
     const bool has_failed = wrong && (wrong->wrong == properties::Wrong::kFailed ||
                                       wrong->wrong == properties::Wrong::kRefused);
@@ -70,7 +75,7 @@ struct MethodReport {
   bool is_excluded() const { return wrong && wrong->excluded_by; }
 };
 
-/// A root >= 0 that does not count, and why.
+/// A root >= 0 that does not count, and the reason.
 struct RootLeftOut {
   reference::WhichRoot root = reference::WhichRoot::kSmaller;
   double s = 0;  ///< Correctly rounded.
@@ -80,8 +85,9 @@ struct RootLeftOut {
 /// The exact answer about one sphere.
 struct SphereReport {
   reference::Intersection intersection;
-  bool is_hit = false;                ///< Under the conventions, which define which roots count.
-  std::vector<RootLeftOut> left_out;  ///< Those before the one that counts, if any.
+  /// Whether it is a hit under the conventions, which define which roots count.
+  bool is_hit = false;
+  std::vector<RootLeftOut> left_out;  ///< The roots before the one that counts; all if none counts.
   std::optional<double> parameter;
   std::vector<double> point;
   std::optional<reference::ClosedForm> closed_form_parameter;
@@ -89,18 +95,18 @@ struct SphereReport {
 };
 
 struct ExplainReport {
-  scene::Scene scene;               ///< In the format of `other`.
-  std::size_t rounded_numbers = 0;  ///< The number of scene numbers that had to be rounded.
+  scene::Scene scene;               ///< Rounded to the format of `other`.
+  std::size_t rounded_numbers = 0;  ///< The number of scene numbers that were rounded.
   std::optional<scene::Pixel> pixel;
-  scene::Ray ray;  ///< If it is given.
+  scene::Ray ray;  ///< Valid if the scene has given rays.
   std::string rays_method;
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
   std::shared_ptr<const Implementation> other;
-  std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
+  std::optional<std::size_t> sphere;  ///< The sphere of the derivation and of the methods.
   std::vector<SphereReport> spheres;
-  /// For that sphere with every root >= 0 counting, if the conventions differ: raycheck's methods
-  /// are judged by it.
+  /// The answer about that sphere if every root >= 0 counts; raycheck's methods are judged by it.
+  /// Empty if the conventions say the same.
   std::optional<SphereReport> by_every_root;
   std::optional<std::size_t> nearest;
 
@@ -115,18 +121,19 @@ ExplainReport explain(const ExplainOptions& options);
 std::string explain_text(const ExplainReport& report, const ViewOptions& options);
 std::string explain_json(const ExplainReport& report, const ViewOptions& options);
 
-/// 17 significant digits; several numbers in parentheses.
+/// A number with 17 significant digits; several numbers in parentheses.
 std::string digits_text(double value);
 std::string numbers_text(const std::vector<double>& values);
-/// "off by 3 ulp (0.5 in this step)"; empty without an error.
+/// "off by 3 ulp (0.5 in this step)"; empty if there is no error.
 std::string off_text(const MethodStep& step);
-/// "condition number 4.2, of this step 1"; empty without one.
+/// "condition number 4.2, of this step 1"; empty if there is none.
 std::string condition_text(const Step& step);
 /// The text about one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
 std::string method_verdict(const MethodReport& method, const ExplainReport& report,
                            bool colours = false);
-/// The part of it after the answer, ", off by 0.2 ulp, a false hit (excused)"; all of it for a
-/// method that makes rays. Domain: it did not fail.
+/// The part of method_verdict() after the answer: ", off by 0.2 ulp, a false hit (excused)". For a
+/// method that makes rays, the whole text.
+/// Domain: the method did not fail.
 std::string answer_remarks(const MethodReport& method);
 /// A remark for the step where a method goes wrong; usually empty.
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report);

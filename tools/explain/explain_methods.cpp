@@ -25,7 +25,7 @@ using reference::Enclosure;
 using reference::Enclosure3;
 using reference::ExactRay;
 
-/// The first discrepancy that the laws of a kind find.
+/// The first discrepancy that the laws for which a condition holds find.
 template <class Condition>
 std::optional<properties::Discrepancy> found_wrong(Trials& trials, const Condition& is_asked) {
   properties::Verdict verdict;
@@ -37,7 +37,7 @@ std::optional<properties::Discrepancy> found_wrong(Trials& trials, const Conditi
 }
 
 constexpr bool is_of_made_rays(const Law& law) {
-  return law.judges_values && speaks_of_cameras(law) && !speaks_of_intersections(law);
+  return law.judges_values && is_about_cameras(law) && !is_about_intersections(law);
 }
 constexpr bool is_of_pairs(const Law& law) {
   return law.judges_values && law.per == properties::Per::kPair;
@@ -115,7 +115,7 @@ void add_ray_steps(Trial& trial, bool is_own, Steps steps) {
   }
 }
 
-/// T, v and d^2 of one of raycheck's methods.
+/// Adds the steps T, v and d^2 of one of raycheck's methods.
 std::optional<fast::Roots> add_own_steps(const fast::IntersectMethod& own, const ExactRay& exact,
                                          const Trial& trial, Steps steps) {
   const scene::Ray& ray = exact.source().given;
@@ -141,7 +141,7 @@ std::optional<fast::Roots> add_own_steps(const fast::IntersectMethod& own, const
   return roots;
 }
 
-/// The error of only s, from the method's own v and d^2.
+/// The error of the step from the method's own v and d^2 to s.
 std::optional<double> error_alone(double s, const fast::Roots& roots, const ExactRay& exact,
                                   reference::WhichRoot root) {
   if (!std::isfinite(roots.axial_distance) || !std::isfinite(roots.half_chord_sq) ||
@@ -201,7 +201,8 @@ void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport&
   }
 }
 
-/// Whether a wrong answer about a camera's ray is right for the ray that the implementation made.
+/// Whether an answer that is wrong for a camera's ray is right for the ray that the implementation
+/// made.
 bool is_right_for_own_ray(Trial& trial) {
   if (!trial.scene().camera) return false;
   Case given{trial.scene(), {}};
@@ -212,7 +213,8 @@ bool is_right_for_own_ray(Trial& trial) {
   return !found_wrong(trials, is_of_pairs);
 }
 
-/// The first step whose error exceeds that of one step, or else the one that the laws find wrong.
+/// The first step before s whose error exceeds kDefaultMaxError; if there is none, the step that
+/// the laws find wrong.
 std::string wrong_step(const MethodReport& report) {
   for (const MethodStep& step : report.steps) {
     if (step.symbol == "s") break;

@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Longer closed forms are cut here; --format json shows them whole.
+/// Longer closed forms are cut in this report; --format json has them whole.
 constexpr std::size_t kLongestClosedForm = 160;
 
 std::string shown(const std::string& closed_form) {
@@ -95,14 +95,15 @@ std::string numbers_text(const std::vector<double>& values) {
 
 std::string off_text(const MethodStep& step) {
   return (step.error ? fmt::format("off by {} {}", error_text(step.error), step.unit) : "") +
-         (step.error_alone ? fmt::format(" ({} in this step)", error_text(step.error_alone)) : "");
+         (step.error_alone ? fmt::format(" ({} by this step only)", error_text(step.error_alone))
+                           : "");
 }
 
 std::string condition_text(const Step& step) {
   if (!step.condition) return {};
   return fmt::format("condition number {}{}", error_text(step.condition),
                      step.condition_alone
-                         ? fmt::format(", of this step {}", error_text(step.condition_alone))
+                         ? fmt::format(" (of this step only: {})", error_text(step.condition_alone))
                          : "");
 }
 
@@ -127,14 +128,17 @@ std::string answer_remarks(const MethodReport& method) {
     text += fmt::format(", which the interval {} excludes", interval_text(*wrong.excluded_by));
   }
   const properties::Standing standing = wrong.excuse.standing();
-  if (standing != properties::Standing::kDefect) text += fmt::format(" ({})", name(standing));
+  if (standing != properties::Standing::kDefect) {
+    text += fmt::format(" ({}{})", name(standing),
+                        standing == properties::Standing::kNotJudged ? ": outside its domain" : "");
+  }
   return text;
 }
 
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report) {
   if (method.goes_wrong_at != "D" || !method.intersects) return {};
-  if (method.is_other) return " (its own ray)";
-  return " (the rounding of the ray by `" + report.rays_method + "`)";
+  if (method.is_other) return " (of the ray that it makes)";
+  return " (of the ray that `" + report.rays_method + "` makes)";
 }
 
 std::string method_verdict(const MethodReport& method, const ExplainReport& report, bool colours) {
@@ -163,15 +167,17 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     }
   }
   if (report.rounded_numbers > 0) text += rounded_numbers_text(report.rounded_numbers) + "\n";
-  text += "exact value of each step, in closed form and correctly rounded, then each method's\n";
+  text +=
+      "each step: its exact value in closed form, the same correctly rounded, and each method's "
+      "value\n";
   if (report.sphere && report.pixel) {
-    text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, and judged on that ray)\n",
+    text += fmt::format("(v, d^2, s and Q are computed and judged on the ray that `{}` makes)\n",
                         report.rays_method);
     const MethodReport& last = report.methods.back();
     if (last.is_other && last.intersects) {
-      text += fmt::format("({}: for the {})\n", last.name,
-                          last.makes_ray ? "ray that it makes itself"
-                                         : "exact ray, correctly rounded, which it is given");
+      text += fmt::format(
+          "({}: on {})\n", last.name,
+          last.makes_ray ? "the ray that it makes" : "the exact ray, correctly rounded");
     }
   }
   if (report.sphere) {
@@ -192,13 +198,14 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
                           left_out_text(root, report.scene.conventions.valid));
     }
   }
-  text += "\nmethods:\n";
+  text += report.sphere && report.pixel ? "\nmethods, judged for the pixel:\n" : "\nmethods:\n";
   if (report.other) {
     text += indented(isolation_text({*report.other}), "  ");
   }
   if (report.by_every_root) {
-    text += fmt::format("  raycheck's methods are judged with every root >= 0: exact {}\n",
-                        answer_of(*report.by_every_root));
+    text += fmt::format(
+        "  raycheck's methods are judged as if every root >= 0 counts; exact then: {}\n",
+        answer_of(*report.by_every_root));
   }
   for (const MethodReport& method : report.methods) {
     text +=

@@ -7,11 +7,11 @@
 
 namespace raycheck::tools {
 
-/// A program's answer to a request, or how it failed.
+/// A program's answer to a request, or its failure.
 struct StoredAnswer {
-  std::string text;  ///< In the caller's format; for a failure its message.
+  std::string text;  ///< In the caller's format; for a failure, the message.
   std::optional<FailureKind> failure = {};
-  double seconds = 0;  ///< The time it took.
+  double seconds = 0;  ///< The time that the answer took.
 };
 
 /// Stored answers of one program, run in one way. This base class stores nothing.

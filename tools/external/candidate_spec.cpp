@@ -20,11 +20,11 @@ std::string CandidateSpec::text() const {
   return fmt::format("{}:{}", kCandidateKindNames[static_cast<std::size_t>(kind)], what);
 }
 
-CandidateError::CandidateError(const std::string& why, std::string said, std::string_view whose)
+CandidateError::CandidateError(const std::string& why, std::string output, std::string_view whose)
     : InvalidInput(whose.empty() ? "" : "candidate", scene::visible(whose),
-                   scene::visible(why + (said.empty() ? "" : "\n" + said))),
+                   scene::visible(why + (output.empty() ? "" : "\n" + output))),
       why_(why),
-      said_(std::move(said)) {}
+      output_(std::move(output)) {}
 
 CandidateSpec parse_candidate(const std::string& text) {
   const std::size_t colon = text.find(':');

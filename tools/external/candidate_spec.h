@@ -11,14 +11,15 @@ namespace raycheck::tools {
 /// The kinds of external candidates.
 enum class CandidateKind {
   kLibrary,  ///< A shared library with functions of <raycheck/candidate.h>.
-  kSource,   ///< A C++ file, or a folder of them or with a CMakeLists.txt, compiled to a library.
+  /// A C++ file, a folder of C++ files, or one with a CMakeLists.txt: compiled to a library.
+  kSource,
   kCommand,  ///< A program that speaks the protocol.
-  kRenderer  ///< A finished renderer, started for every scene; {scene} and {image} are files.
+  kRenderer  ///< A finished renderer, started for every scene; {scene} and {image} stand for files.
 };
 inline constexpr std::array<std::string_view, 4> kCandidateKindNames = {"library", "source",
                                                                         "command", "renderer"};
 
-/// An external candidate as named by `--candidate` and rubrics: "source:rays.cpp".
+/// An external candidate as written in `--candidate` and rubrics: "source:rays.cpp".
 struct CandidateSpec {
   CandidateKind kind = CandidateKind::kLibrary;
   std::string what;  ///< A path, or the words that start a program.
@@ -33,15 +34,15 @@ struct CandidateSpec {
 class CandidateError : public scene::InvalidInput {
  public:
   /// `whose`: the candidate's name for what(); may be empty.
-  explicit CandidateError(const std::string& why, std::string said = {},
+  explicit CandidateError(const std::string& why, std::string output = {},
                           std::string_view whose = {});
   /// One line, without the candidate's name.
   const std::string& why() const { return why_; }
   /// The output of the compiler or the program; may be empty.
-  const std::string& said() const { return said_; }
+  const std::string& output() const { return output_; }
 
  private:
-  std::string why_, said_;
+  std::string why_, output_;
 };
 
 /// Errors: CandidateError that lists the kinds.

@@ -18,7 +18,7 @@ constexpr std::uint64_t kCompilerFiles = 256;
 constexpr std::uint64_t kCompilerFile = std::uint64_t{256} << 20;
 constexpr std::size_t kMostRules = std::size_t{16} << 20;
 constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
-/// Only line tables: they show where a candidate crashes (source_lines.h).
+/// Only line tables, which are needed to find the line where a candidate crashes (source_lines.h).
 constexpr const char* kLineTables = "-g1";
 constexpr const char* kEigen = "/usr/include/eigen3";
 
@@ -33,8 +33,8 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
   return files;
 }
 
-/// Copies a file that a sandboxed program made. Links are refused: they may lead to files that the
-/// program may not read.
+/// Copies a file that a sandboxed program made. Refuses links, because they may lead to files that
+/// the program may not read.
 fs::path copied(const fs::path& made, const fs::path& to) {
   if (!fs::is_regular_file(fs::symlink_status(made))) {
     throw CandidateError(fmt::format("{} is not a file", made.filename().string()));
@@ -43,7 +43,7 @@ fs::path copied(const fs::path& made, const fs::path& to) {
   return to / made.filename();
 }
 
-/// The files of a source's folder that the compiler read, from its make rules (-MMD).
+/// The files in a source's folder that the compiler read, according to its make rules (-MMD).
 std::set<std::string> read_of(const fs::path& folder, const fs::path& made) {
   const std::string within = folder.string() + "/";
   std::set<std::string> read;
@@ -64,7 +64,8 @@ std::set<std::string> read_of(const fs::path& folder, const fs::path& made) {
   return read;
 }
 
-/// A build step that must succeed; errors call it `name`. Its output folder lives as long as this.
+/// A build step that must succeed; `name` is its name in errors. Its output folder exists as long
+/// as this object.
 class BuildStep {
  public:
   BuildStep(const std::string& name, const Confined& confined) : process_(confined) {
@@ -76,9 +77,9 @@ class BuildStep {
       failure = error.what();
     }
     if (!failure.empty()) {
-      throw CandidateError(
-          fmt::format("{} {}{}", name, failure, limit_text(process_.said(), confined.limits)),
-          process_.said().excerpt());
+      throw CandidateError(fmt::format("{} {}{}", name, failure,
+                                       limit_text(process_.error_output(), confined.limits)),
+                           process_.error_output().excerpt());
     }
   }
   const fs::path& folder() const { return process_.folder(); }
@@ -91,7 +92,7 @@ class BuildStep {
 Confined compiler(const RunOptions& options) {
   Confined confined = options.confined();
   confined.spent = options.build_spent;
-  // A rubric's limits apply to the built program; compilers have separate limits.
+  // A rubric's limits apply to the built program, not to the compiler.
   const Limits usual;
   confined.limits.seconds = options.build_seconds;
   confined.limits.names.seconds = options.build_seconds_name;

@@ -24,14 +24,14 @@ namespace raycheck::tools {
 struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
-  std::optional<properties::OtherSize> size = {};  ///< Of a picture, if the size is wrong.
-  bool fails_always = false;                       ///< On every request.
-  std::optional<properties::CodeLine> line = {};   ///< In its source, if known.
+  std::optional<properties::OtherSize> size = {};  ///< The size of a picture, if it is wrong.
+  bool fails_always = false;                       ///< Whether it fails on every request.
+  std::optional<properties::CodeLine> line = {};   ///< The line in its source, if known.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
     if (size) throw properties::OtherSize(words, size->width, size->height);
-    if (kind == FailureKind::kCannotSay) throw properties::CannotBeSaid(words);
+    if (kind == FailureKind::kCannotExpress) throw properties::CannotBeSaid(words);
     if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
@@ -41,8 +41,8 @@ struct AnswerFailure {
   }
 };
 
-/// The latest pictures, shared by all threads, which draw different scenes in parallel. Failures
-/// are kept like pictures.
+/// The latest pictures of a renderer. All threads share them, and draw different scenes in
+/// parallel. Failures are kept like pictures.
 class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
@@ -63,11 +63,12 @@ class Pictures {
     std::optional<AnswerFailure> failure = {};
     std::int64_t pixels() const { return scene.camera->width * scene.camera->height; }
   };
-  /// Limits on the kept pictures: number and total pixels. The last one is always kept.
+  /// The limits on the number and the total pixels of kept pictures. The last picture is always
+  /// kept.
   static constexpr std::ptrdiff_t kKept = 32;
   static constexpr std::int64_t kKeptPixels = std::int64_t{1} << 22;
 
-  /// The entry for a scene, new or existing, moved to the end.
+  /// The entry for a scene, made if it does not exist, and moved to the end.
   std::shared_ptr<Picture> kept(const scene::Scene& scene, scene::Rows rows) {
     const std::lock_guard lock(mutex_);
     auto found = std::ranges::find_if(
@@ -89,11 +90,11 @@ class Pictures {
   void draw(Picture& picture) {
     const auto fail = [&](const std::string& words, FailureKind kind) {
       picture.failure =
-          AnswerFailure{kind == FailureKind::kCannotSay ? words : "image: " + words, kind};
-      silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
+          AnswerFailure{kind == FailureKind::kCannotExpress ? words : "image: " + words, kind};
+      timeouts_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
-    if (const int silences = silences_; silences >= renderer_.most_silences) {
-      fail(fmt::format("not started after {} runs that timed out", silences),
+    if (const int timeouts = timeouts_; timeouts >= renderer_.most_timeouts) {
+      fail(fmt::format("not started any more, since {} runs timed out", timeouts),
            FailureKind::kNotAsked);
       return;
     }
@@ -113,8 +114,8 @@ class Pictures {
 
   Renderer renderer_;
   std::mutex mutex_;
-  std::vector<std::shared_ptr<Picture>> kept_;  ///< The most recently used one is last.
-  std::atomic<int> silences_ = 0;
+  std::vector<std::shared_ptr<Picture>> kept_;  ///< The most recently used picture is last.
+  std::atomic<int> timeouts_ = 0;
 };
 
 namespace {
@@ -133,7 +134,7 @@ class Conversation {
   explicit Conversation(External external, LastFailure last = nullptr)
       : external_(std::move(external)), last_(std::move(last)) {}
 
-  /// The reply to a request, read by `read`.
+  /// Sends a request; `read` parses the reply.
   template <class Read>
   auto ask(std::string_view function, const scene::Conventions& conventions, std::size_t lines,
            const std::function<void(Request&)>& fill, const Read& read) {
@@ -151,19 +152,18 @@ class Conversation {
   /// Sets the share of the reply time limit for the next requests.
   void allow(double share) { share_ = share; }
   /// Resets the count of time-outs, and uses stored answers again.
-  void forget_silence() {
+  void reset_timeouts() {
     shares_timed_out_ = 0;
-    silences_ = 0;
     failed_request_.clear();
     is_asked_anew_ = false;
   }
-  /// The next requests go to a fresh process; stored answers are ignored.
+  /// Makes the next requests go to a fresh process, and ignores stored answers.
   void restart() {
-    forget_silence();
+    reset_timeouts();
     process_.reset();
     is_asked_anew_ = true;
   }
-  KeptText said() const { return process_ ? process_->said() : KeptText(); }
+  KeptText error_output() const { return process_ ? process_->error_output() : KeptText(); }
 
  private:
   template <class Read>
@@ -171,9 +171,10 @@ class Conversation {
                   std::size_t lines, const std::function<void(Request&)>& fill, const Read& read) {
     Request request(next_id(), function, conventions);
     fill(request);
-    if (shares_timed_out_ >= kMostSilences) {
+    if (shares_timed_out_ >= kMostTimeouts) {
       AnswerFailure{
-          fmt::format("{}: not called after {} requests that timed out", function, silences_),
+          fmt::format("{}: not called any more, since its time-outs add up to {} times the limit",
+                      function, kMostTimeouts),
           FailureKind::kNotAsked}
           .raise(last_);
     }
@@ -184,18 +185,15 @@ class Conversation {
       reply = reply_to(request, lines);
       return read(Reply(reply.text, reply.id));
     } catch (const ProcessFailure& failure) {
-      if (failure.kind() == FailureKind::kTimeUp) {
-        ++silences_;
-        shares_timed_out_ += share_;
-      }
+      if (failure.kind() == FailureKind::kTimeUp) shares_timed_out_ += share_;
       const auto line = line_in(process_ ? process_->unfinished() : "");
-      AnswerFailure words{
-          fmt::format("{}: it {}{}{}{}", function, failure.what(), line_text(line),
-                      last_line_text(said()), limit_text(said(), external_.program.limits)),
-          failure.kind(),
-          {},
-          !introduction_heard_,
-          line};
+      AnswerFailure words{fmt::format("{}: it {}{}{}{}", function, failure.what(), line_text(line),
+                                      last_line_text(error_output()),
+                                      limit_text(error_output(), external_.program.limits)),
+                          failure.kind(),
+                          {},
+                          !introduction_heard_,
+                          line};
       if (is_lasting(words.kind) && !is_asked_anew_) {
         external_.answers->keep(request.body(), {words.words, words.kind,
                                                  external_.program.spent->seconds_since(before)});
@@ -211,15 +209,30 @@ class Conversation {
     }
   }
 
-  /// Unpredictable, so that no reply can be prepared in advance.
+  /// An unpredictable id, so that no reply can be prepared in advance.
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
   void start() {
     introduction_heard_ = false;
     process_.emplace(external_.program);
-    const std::string text = process_->exchange(
-        kGreeting, [](std::string_view line) { return line == kReady || line == "ready\r"; },
-        kMostIntroduction);
+    // A program that begins with other output is not waited for.
+    std::optional<std::string> first;
+    std::string text;
+    try {
+      text = process_->exchange(
+          kGreeting,
+          [&](std::string_view line) {
+            if (!first) first = line;
+            return !begins_introduction(*first) || line == kReady || line == "ready\r";
+          },
+          kMostIntroduction);
+    } catch (const ProcessFailure&) {
+      if (!first || begins_introduction(*first)) throw;
+    }
+    if (first && !begins_introduction(*first)) {
+      throw ProtocolError(
+          fmt::format("its first line is '{}', not 'raycheck 1 NAME'", shown(*first)));
+    }
     introduction_ = parse_introduction(text);
     introduction_heard_ = true;
     external_.answers->keep(std::string(kGreeting), {text});
@@ -273,10 +286,9 @@ class Conversation {
   Introduction introduction_;
   std::string failed_request_;
   AnswerFailure failure_;
-  bool introduction_heard_ = true;  ///< Of the current process.
+  bool introduction_heard_ = true;  ///< Whether the introduction of the current process was read.
   double share_ = 1;
   bool is_asked_anew_ = false;
-  int silences_ = 0;
   double shares_timed_out_ = 0;  ///< The sum of their shares of the time limit.
   std::mt19937_64 ids_{std::random_device{}()};
 };
@@ -296,7 +308,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   return judged_in(external.precision, std::move(candidate));
 }
 
-/// Adds the functions that the candidate implements.
+/// Sets the functions that the candidate implements.
 void add_functions(const std::shared_ptr<Conversation>& talk,
                    const std::set<std::string>& functions, Candidate& candidate) {
   const auto of_pixels = [talk](const char* function, auto answers) {
@@ -354,16 +366,22 @@ External introduced(std::string name, const Confined& program,
     external.introduction = conversation.introduce();
     external.precision = external.introduction.declared.precision;
   } catch (const ProcessFailure& failure) {
-    const KeptText said = conversation.said();
-    const std::string all = said.excerpt();
-    throw CandidateError(fmt::format("it {}{}{}", failure.what(), last_line_text(said),
-                                     limit_text(said, program.limits)),
+    const KeptText error_output = conversation.error_output();
+    const std::string all = error_output.excerpt();
+    // raycheck-worker names what a library lacks.
+    constexpr std::string_view kOfWorker = "; it printed: raycheck-worker: ";
+    const std::string printed = last_line_text(error_output);
+    if (printed.starts_with(kOfWorker)) throw CandidateError(printed.substr(kOfWorker.size()));
+    const bool is_silent = failure.kind() == FailureKind::kEnded && error_output.empty();
+    throw CandidateError(fmt::format("it {}{}{}{}", failure.what(),
+                                     is_silent ? " before it printed 'raycheck 1 NAME'" : "",
+                                     printed, limit_text(error_output, program.limits)),
                          all.find('\n') == std::string::npos ? "" : all);
   } catch (const ProtocolError& error) {
     throw CandidateError(error.what());
   }
   if (external.introduction.functions.empty()) {
-    throw CandidateError("it implements no function");
+    throw CandidateError("it has none of the functions that raycheck judges");
   }
   return external;
 }
@@ -390,7 +408,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   Candidate candidate = properties::declaring(external.introduction.declared, external.name,
                                                candidate_of(external.bounds));
   candidate.allow = [talk](double share) { talk->allow(share); };
-  candidate.forget_silence = [talk] { talk->forget_silence(); };
+  candidate.reset_timeouts = [talk] { talk->reset_timeouts(); };
   candidate.restart = [talk] { talk->restart(); };
   add_functions(talk, external.introduction.functions, candidate);
   static_cast<properties::Functions&>(candidate) =

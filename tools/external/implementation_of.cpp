@@ -53,7 +53,7 @@ std::vector<properties::Stage> stages_of(const std::set<std::string>& functions)
 }  // namespace
 
 Implementation implementation_of(const External& external) {
-  const std::string& said = external.introduction.name;
+  const std::string said = external.introduction.name == "-" ? "" : external.introduction.name;
   Implementation implementation{
       .name = external.name,
       .lasting_name = said.empty() ? without_folders(external.name) : said,

@@ -115,10 +115,11 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
 InProcess calls_in_process(const External& external) {
   const Layers& layers = external.program.layers;
   if (layers.own_user || layers.seccomp || layers.landlock || layers.bubblewrap) {
-    throw CandidateError("it runs in a sandbox, and only calls in raycheck's process are timed");
+    throw CandidateError(
+        "it runs in a sandbox; choose sandbox none to time it in raycheck's process");
   }
   if (external.library.empty()) {
-    throw CandidateError("it is not a library, and only calls in raycheck's process are timed");
+    throw CandidateError("it is not a library, and raycheck times only calls in its own process");
   }
   const raycheck_candidate& library = *functions_of(external.library);
   const contract::Interface interface = external.introduction.declared.interface;

@@ -21,14 +21,17 @@ namespace fs = std::filesystem;
 fs::path existing(const std::string& path, const RunOptions& options) {
   std::error_code error;
   fs::path found = fs::canonical(options.folder / path, error);
-  if (error) throw CandidateError(fmt::format("{}: {}", path, error.message()));
+  if (error == std::errc::no_such_file_or_directory) {
+    throw CandidateError("there is no such file or folder");
+  }
+  if (error) throw CandidateError(error.message());
   return found;
 }
 
-/// A library as a candidate, copied to a folder that the candidate's user may read.
+/// A library as a candidate. It is copied to a folder that the candidate's user may read.
 External library(const std::string& name, const fs::path& path, const RunOptions& options) {
   auto folder = std::make_shared<PrivateFolder>();
-  // Not copied if it may read its own folder: its rpath may begin with $ORIGIN.
+  // If it may read its own folder, it is not copied, because its rpath may begin with $ORIGIN.
   const bool stays = std::ranges::find(options.reads, path.parent_path()) != options.reads.end();
   const fs::path copy = stays ? path : folder->path() / path.filename();
   if (!stays) fs::copy_file(path, copy);
@@ -42,7 +45,7 @@ External library(const std::string& name, const fs::path& path, const RunOptions
   return external;
 }
 
-/// The most bytes copied from a folder that other users may not read.
+/// At most this many bytes are copied from a folder that other users may not read.
 constexpr std::uintmax_t kMostCopied = std::uintmax_t{64} << 20;
 
 /// Copies a folder that the candidate's user may not read.
@@ -65,7 +68,7 @@ void copy_for_others(const fs::path& from, const fs::path& to) {
     if (copied > kMostCopied) {
       throw CandidateError(fmt::format(
           "other users may not read {}, and it is too large to be copied; put the program "
-          "into a separate folder, or use no sandbox",
+          "into a separate folder, or choose sandbox none",
           from.string()));
     }
     fs::copy_file(entry.path(), target);
@@ -73,8 +76,8 @@ void copy_for_others(const fs::path& from, const fs::path& to) {
   open_to_others(to);
 }
 
-/// Maps paths to paths that the candidate's user may read. Folders that other users may not read
-/// are copied, once each.
+/// Maps paths to paths that the candidate's user may read. Each folder that other users may not
+/// read is copied once.
 class ReadableCopies {
  public:
   explicit ReadableCopies(const Layers& layers) : own_user_(layers.own_user) {}
@@ -103,7 +106,7 @@ class ReadableCopies {
   static fs::path folder_of(const fs::path& path) {
     return fs::is_directory(path) ? path : path.parent_path();
   }
-  /// The folder of the copies; null without copies.
+  /// The folder of the copies; null if nothing was copied.
   std::shared_ptr<const PrivateFolder> folder() const { return copies_; }
 
  private:
@@ -112,7 +115,8 @@ class ReadableCopies {
   std::map<fs::path, fs::path> known_;
 };
 
-/// Words as a shell splits them: quotes of either kind keep spaces inside a word.
+/// The words of a command line, split as in a shell: quotes of both kinds keep spaces inside a
+/// word.
 std::vector<std::string> split(const std::string& text) {
   const boost::escaped_list_separator<char> separator("", " \t\n", "\"'");
   std::vector<std::string> words;
@@ -129,7 +133,7 @@ bool is_on_path(const std::string& program) {
   });
 }
 
-/// Lets a program read a folder, or a file's folder, but not / or the folder for temporary files.
+/// Lets a program read a folder, or a file's folder; never / or the folder for temporary files.
 void let_read(const fs::path& path, Confined& program) {
   const fs::path folder = ReadableCopies::folder_of(path);
   const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
@@ -140,8 +144,8 @@ void let_read(const fs::path& path, Confined& program) {
   }
 }
 
-/// A Java class path (files or folders separated by colons), made absolute. Empty if the word is
-/// not one.
+/// A Java class path (files or folders separated by colons), made absolute. Empty if the word is no
+/// class path.
 std::string class_path(const std::string& word, const RunOptions& options, ReadableCopies& copies,
                        Confined& program) {
   if (word.find(':') == std::string::npos) return "";
@@ -162,7 +166,7 @@ std::string class_path(const std::string& word, const RunOptions& options, Reada
   return paths;
 }
 
-/// The source file of a candidate: the source, or the first file in its command line.
+/// The source file of a candidate: its source, or the first file in its command line.
 std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
   if (spec.kind == CandidateKind::kLibrary) return "";
   for (const std::string& word :
@@ -173,7 +177,7 @@ std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
   return "";
 }
 
-/// The program of a command line, with names of files made absolute.
+/// The program of a command line, with file names made absolute.
 Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
   Confined program = options.confined();
   for (const std::string& word : split(words)) {
@@ -191,8 +195,8 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
       program.arguments.push_back(paths);
       continue;
     }
-    // A first word without a slash is searched on the PATH. Links are not resolved: programs may
-    // use the name by which they are started.
+    // A first word without a slash is searched on the PATH. Links are not resolved, because a
+    // program may depend on the name by which it is started.
     if ((is_program && is_bare) || !fs::exists(named, error)) {
       program.arguments.push_back(word);
       continue;
@@ -202,7 +206,7 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
     let_read(path, program);
   }
   if (program.arguments.empty()) {
-    throw CandidateError("the command names no program");
+    throw CandidateError("the command is empty; give a program");
   }
   return program;
 }
@@ -229,7 +233,7 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   return external;
 }
 
-/// A path relative to the working folder, if it lies below that.
+/// A path for messages: relative to the working folder if it is below that.
 fs::path as_shown(const fs::path& path) {
   std::error_code error;
   const fs::path working = fs::current_path(error);
@@ -282,7 +286,7 @@ External named_in_errors(const CandidateSpec& spec, const RunOptions& options, c
     external.bounds = options.bounds;
     return external;
   } catch (const CandidateError& error) {
-    throw CandidateError(error.why(), error.said(), spec.text());
+    throw CandidateError(error.why(), error.output(), spec.text());
   }
 }
 

@@ -19,19 +19,20 @@ struct RunOptions {
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
-  std::optional<scene::Origin> origin = {};  ///< Where their rays start; empty: as the scene says.
-  /// Folders that it may read besides its own.
+  /// The origin of their rays; empty: as the scene says.
+  std::optional<scene::Origin> origin = {};
+  /// Folders that it may read besides its own folder.
   std::vector<std::filesystem::path> reads = {};
-  /// Folders with headers of a source, which it may read.
+  /// Folders with headers for its source, which it may read.
   std::vector<std::filesystem::path> includes = {};
   /// The base of relative paths; empty: the working folder.
   std::filesystem::path folder = {};
-  double build_seconds = 120;           ///< CPU time for compilation.
-  std::string build_seconds_name = {};  ///< The name of that limit.
+  double build_seconds = 120;           ///< The limit on CPU time for compilation.
+  std::string build_seconds_name = {};  ///< The name of that limit in messages.
   /// Collects the compile time.
   std::shared_ptr<SpentTime> build_spent = std::make_shared<SpentTime>();
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
-  /// Collects failures with a cause outside the candidate; may be null.
+  /// Records why a failure is not the candidate's fault; may be null.
   std::shared_ptr<Surroundings> surroundings = {};
 
   /// A program to run with these options, without its arguments.
@@ -44,8 +45,8 @@ struct RunOptions {
   }
 };
 
-/// Finds an external candidate: compiles it if it is a source, and starts it once. Names of files
-/// in its command line are made absolute.
+/// Finds an external candidate: compiles it if it is a source, and starts it once. File names in
+/// its command line are made absolute.
 /// Errors: CandidateError naming the candidate.
 External find_external(const CandidateSpec& spec, const RunOptions& options);
 

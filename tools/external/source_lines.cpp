@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 using properties::CodeLine;
 
 constexpr double kSeconds = 30;
-/// Longer than any hand-written source file.
+/// No source file written by hand is longer.
 constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
-/// The most bytes shown of a line.
+/// At most this many bytes of a line are shown.
 constexpr std::size_t kMostShown = 200;
 
 /// A line of a text, without its file name; empty if the text has fewer lines.
@@ -91,8 +91,8 @@ std::optional<CodeLine> SourceLines::find(const std::vector<std::uint64_t>& fram
   }
   Process process(confined);
   if (process.finish() != 0) return std::nullopt;
-  // addr2line prints a line for each frame, followed by one for each function into which it is
-  // inlined.
+  // addr2line prints a line for each frame, followed by a line for each function into which the
+  // frame is inlined.
   std::istringstream said(process.printed().text());
   for (std::string line; std::getline(said, line);) {
     if (auto found = own_line(line)) return found;

@@ -12,19 +12,20 @@
 
 namespace raycheck::tools {
 
-/// Finds source lines of a compiled library. Its line tables are not trusted: addr2line reads them
-/// in the library's sandbox, and only existing lines of files in the source's folder are accepted.
+/// Finds source lines of a compiled library. The library's line tables are not trusted: addr2line
+/// reads them in the library's sandbox, and only existing lines of files in the source's folder are
+/// accepted.
 /// Source: addr2line, GNU binutils (sourceware.org/binutils/docs/binutils/addr2line.html).
 class SourceLines {
  public:
-  /// `program`: runs the library. `compiled`: the folder of the source during compilation. `named`:
-  /// the name of that folder in the results.
+  /// `program`: the program that runs the library. `compiled`: the folder of the source during
+  /// compilation. `named`: the name of that folder in the results.
   SourceLines(const Confined& program, std::filesystem::path library,
               std::filesystem::path compiled, std::filesystem::path named);
 
-  /// The source line of the innermost frame that lies in the source's folder. `frames`: offsets in
-  /// the library's file, innermost first; frames in other headers are skipped, even if inlined.
-  /// Empty if no frame lies there, or if addr2line is missing.
+  /// The source line of the innermost frame whose code is in the source's folder; frames in other
+  /// headers are skipped, even if inlined. `frames`: offsets in the library's file, the innermost
+  /// first. Empty if there is no such frame, or if addr2line is missing.
   std::optional<properties::CodeLine> innermost(const std::vector<std::uint64_t>& frames) const;
 
  private:

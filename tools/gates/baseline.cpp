@@ -17,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFirstLine = "# raycheck baseline 2";
-/// Older files, which name candidates as typed.
+/// The first line of older files, which name candidates as the user typed them.
 constexpr std::string_view kEarlier = "# raycheck baseline 1";
 constexpr std::string_view kSeparator = "; ";
 
-/// A field in a line: characters that would end it, or are invisible, are written as escaped bytes.
+/// A field of a line. Characters that would end it, or are invisible, are written as escaped bytes.
 std::string percent_encoded(std::string_view field) {
   constexpr std::string_view kSpelled = "%;#";
   constexpr std::size_t kMostBytes = 4;  // of a character
@@ -88,15 +88,14 @@ void add_line(Baseline& baseline, std::string_view line) {
   if (line.starts_with("# ")) {
     const auto heading = fields_of(line.substr(2));
     if (heading.size() != 2) {
-      throw std::invalid_argument("expected a heading # LAW; SOURCE");
+      throw std::invalid_argument("it is not a heading of the form '# LAW; SOURCE'");
     }
     baseline.headings.emplace(heading[0], heading[1]);
     return;
   }
   const auto fields = fields_of(line);
   if (fields.size() != 5) {
-    throw std::invalid_argument(
-        fmt::format("{} fields; expected LAW; SOURCE; KIND; PLACE; CANDIDATE", fields.size()));
+    throw std::invalid_argument("it is not of the form 'LAW; SOURCE; KIND; PLACE; CANDIDATE'");
   }
   baseline.known.insert({fields[0], fields[1], fields[2], fields[3], fields[4]});
   baseline.headings.emplace(fields[0], fields[1]);

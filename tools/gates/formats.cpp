@@ -15,16 +15,17 @@
 namespace raycheck::tools {
 namespace {
 
-// JUnit XML, as read by Jenkins, GitLab and tools for GitHub: a suite per candidate, a test per
-// check, with unique names. Inconclusive checks are errors, known or left out ones skipped.
+// JUnit XML for Jenkins, GitLab and tools for GitHub: one suite per candidate, one test per check,
+// with unique names. Inconclusive checks are errors; known checks and checks that were left out are
+// skipped tests.
 
-/// GitLab accepts files of unit tests up to 30 MB: texts are cut where the file would be larger.
+/// GitLab accepts test reports of at most 30 MB, so texts are cut if the file would be larger.
 constexpr std::size_t kMostJunitBytes = 29'000'000;
 
 constexpr std::string_view kCut = "\n... (truncated; the JSON report is complete)";
 
-/// What scene::visible leaves that XML 1.0 does not allow, and that logs of GitHub workflows
-/// interpret anywhere; an apostrophe stays.
+/// Characters that scene::visible leaves and XML 1.0 does not allow, and text that logs of GitHub
+/// workflows interpret anywhere. An apostrophe stays.
 constexpr std::pair<std::string_view, std::string_view> kReplaced[] = {
     {"\uFFFE", "\uFFFD"}, {"\uFFFF", "\uFFFD"}, {"##[", "##&#91;"}, {"&#39;", "'"}};
 
@@ -63,7 +64,7 @@ std::string test_case(const GateCheck& check, std::size_t most_text) {
                      element);
 }
 
-/// The file, with each text and message limited to `most_text` bytes.
+/// The contents of the file, with each text and message limited to `most_text` bytes.
 std::string file_of(const Gate& gate, std::size_t most_text) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -88,7 +89,7 @@ std::string file_of(const Gate& gate, std::size_t most_text) {
 }
 
 std::string junit(const Gate& gate) {
-  // The size of each text for which all fit together, halved until they do.
+  // The limit on each text is halved until all fit together.
   std::size_t texts = 0, bytes = 0;
   for (const GateCheck& check : gate.checks) {
     texts += check.outcome == GateOutcome::kPassed ? 0 : 2;
@@ -100,7 +101,7 @@ std::string junit(const Gate& gate) {
   return text;
 }
 
-// Markdown: a table of the outcomes, then the failures, as far as there is room.
+// Markdown: a table of the outcomes, followed by as many failures as fit.
 
 /// Text inside a line of Markdown, without any markup.
 std::string inline_text(std::string_view text) {
@@ -153,10 +154,10 @@ std::string table_of(const Gate& gate) {
 
 std::string ratchet_part(const Ratchet& ratchet) {
   std::string text =
-      fmt::format("\nCompared with {}: {} known, {} new, {} mended.\n", inline_text(ratchet.file),
+      fmt::format("\nCompared with {}: {} known, {} new, {} fixed.\n", inline_text(ratchet.file),
                   ratchet.known.size(), ratchet.added.size(), ratchet.mended.size());
   for (const Identity& one : ratchet.mended) {
-    text += fmt::format("- mended: {}/{}, {}, at {}, {}\n", inline_text(one.law),
+    text += fmt::format("- fixed: {}/{}, {}, at {}, {}\n", inline_text(one.law),
                         inline_text(one.source), inline_text(one.kind), inline_text(one.place),
                         inline_text(one.candidate));
   }
@@ -186,13 +187,13 @@ std::string markdown(const Gate& gate) {
   return text;
 }
 
-// GitHub's workflow commands: an annotation for each failure, at its line where that is known; the
-// last one counts those left.
+// GitHub's workflow commands: an annotation for each failure, at its line if that is known. If
+// there are too many, the last annotation counts the others.
 
 /// GitHub shows at most this number of annotations per step.
 constexpr std::size_t kMostAnnotations = 10;
 
-/// Text in a workflow command: characters that would end it, or a property of it, are escaped.
+/// Text in a workflow command. Characters that would end it, or end a property of it, are escaped.
 std::string spelled(std::string_view text, bool is_property) {
   std::string shown;
   for (const char c : scene::visible(text)) {
@@ -227,17 +228,18 @@ std::string github(const Gate& gate) {
                         shown.size() - count, gate.checks.size(), outcomes_text(gate));
   }
   if (gate.ratchet && !gate.ratchet->mended.empty()) {
-    text += fmt::format("::notice title=raycheck::{} of {} are mended: update the baseline\n",
+    text += fmt::format("::notice title=raycheck::{} of {} no longer occur: update the baseline\n",
                         gate.ratchet->mended.size(), spelled(gate.ratchet->file, false));
   }
   return text + fmt::format("{}\n", outcomes_text(gate));
 }
 
-// GitLab's code quality: a JSON list, an entry for each defect that is not in the baseline.
+// GitLab's code quality report: a JSON list with an entry for each defect that is not in the
+// baseline.
 
-/// A hash of a text, the same on every machine: 32 hexadecimal digits by which readers recognise a
-/// finding. Collisions are improbable, but not secure against those who construct them.
-/// FNV-1a, twice with different offsets, for 128 bits. Source: Fowler, Noll, Vo.
+/// A hash of a text, the same on every machine: 32 hexadecimal digits by which GitLab recognises a
+/// finding. It is FNV-1a (Fowler, Noll, Vo) twice, with different offsets, for 128 bits. Collisions
+/// are improbable, but can be constructed.
 std::string fingerprint(std::string_view text) {
   constexpr std::uint64_t kPrime = 0x100000001B3;
   const auto hash = [&](std::uint64_t value) {
@@ -256,7 +258,7 @@ std::string gitlab_codequality(const Gate& gate) {
   Json list = Json::array();
   for (const GateCheck& check : gate.checks) {
     if (check.outcome != GateOutcome::kFailed) continue;
-    // GitLab needs a path: without a known source, the candidate's name.
+    // GitLab needs a path; if the source is not known, the candidate's name.
     const auto at = line_of(gate, check).value_or(properties::CodeLine{check.candidate});
     for (const Identity& one : check.defects) {
       if (is_known(one, gate.ratchet)) continue;
@@ -275,7 +277,7 @@ std::string gitlab_codequality(const Gate& gate) {
 constexpr GateFormat kFormats[] = {
     {"junit", junit},
     {"markdown", markdown},
-    {"github", github, ViewKind::kCommands},
+    {"github", github, true},
     {"gitlab-codequality", gitlab_codequality},
 };
 

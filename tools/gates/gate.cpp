@@ -62,7 +62,7 @@ void complete(Gate& gate, bool was_interrupted) {
   const auto add = [&](const char* name, const char* summary) {
     gate.checks.push_back({"raycheck", name, GateOutcome::kInconclusive, summary, {}, {}});
   };
-  // An inconclusive check already has its reason.
+  // An inconclusive check already contains its reason.
   const bool is_empty = gate.count(GateOutcome::kLeftOut) == gate.checks.size();
   if (was_interrupted) add("finished", "interrupted before everything was judged");
   if (is_empty) add("judged", "nothing was judged");

@@ -50,7 +50,8 @@ void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& 
   grade.finished = !control.interrupted();
 }
 
-/// The submission could not be run: no item is judged, and the rubric's `unjudged` gives the score.
+/// Records that the submission could not be run: no item is judged, and the rubric's `unjudged`
+/// gives the score.
 void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade) {
   grade.refused = {plain_text(refusal.why), plain_text(refusal.said)};
   const bool pictures = grade.program && grade.program->kind == CandidateKind::kRenderer;
@@ -71,8 +72,8 @@ void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   if (found.dry_run) grade.driver = found.dry_run->driver;
 }
 
-/// Adds the note that pictures show nothing, unless the submission has points: then it draws other
-/// scenes than the dry run's.
+/// Adds the note that pictures show nothing. If the submission has points, it draws scenes other
+/// than the dry run's, and there is no note.
 void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
   if (!dry || dry->shows_nothing.empty()) return;
   const bool has_points =
@@ -142,7 +143,7 @@ class ClassRun {
       return result;
     }
     std::vector<Graded> all = done_for_each<Graded>(
-        submissions_, control, "graded",
+        submissions_, control,
         [&](const Submission& one, bool alone) { return graded(one, control, alone); });
     for (Graded& one : all) {
       add_times(one.grade, result.times);
@@ -168,15 +169,15 @@ class ClassRun {
       open.push_back(unit);
       mine.push_back(submissions_[static_cast<std::size_t>(unit)]);
     }
-    const auto all = done_for_each<Graded>(
-        mine, control, "graded",
-        [&](const Submission& one, bool alone) { return graded(one, control, alone); });
+    const auto all = done_for_each<Graded>(mine, control, [&](const Submission& one, bool alone) {
+      return graded(one, control, alone);
+    });
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k].grade.finished && all[k].outside.empty()) units.write(open[k], all[k].grade.name);
     }
   }
 
-  /// Checks before grading that no file of other origin has the name of a result.
+  /// Checks before grading that no file that raycheck did not write has the name of a result.
   void require_place() const {
     std::vector<std::string> names = names_for_student(rubric_);
     if (!options_.for_student) {
@@ -198,7 +199,7 @@ class ClassRun {
 
   struct Graded {
     SubmissionGrade grade;
-    std::string outside = {};  ///< Non-empty: the environment failed, so there is no grade.
+    std::string outside = {};  ///< Why the environment failed, so that there is no grade; or empty.
   };
 
   Graded graded(const Submission& submission, const RunControl& control, bool alone) {
@@ -218,7 +219,7 @@ class ClassRun {
     return one;
   }
 
-  /// How the form that a renderer reads is known, after a dry run if there was one.
+  /// How raycheck knows the form that a renderer reads, after a dry run if there was one.
   static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
     const bool is_given = !dry || !rule.tries_others ||
                           (rule.is_asked_for && dry->shows_a_sphere() && dry->driver == rule.form);
@@ -226,7 +227,8 @@ class ClassRun {
     return dry->shows_a_sphere() ? FormKnown::kFound : FormKnown::kNot;
   }
 
-  /// Non-empty: the cause outside the submission for which there is no grade.
+  /// Grades a submission. If there is no grade for a reason that is not its fault, returns that
+  /// reason; otherwise an empty text.
   std::string grade_one(const Submission& submission, const RunControl& given, bool alone,
                         SubmissionGrade& grade) {
     Stopwatch watch;
@@ -248,7 +250,7 @@ class ClassRun {
                  last_failure, runnable.external.program.spent},
                 control, grade);
       note_that_nothing_shows(dry, grade);
-      if (std::string unsaid = unsaid_text(grade); !unsaid.empty()) grade.notes.push_back(unsaid);
+      if (std::string note = inexpressible_text(grade); !note.empty()) grade.notes.push_back(note);
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
       grade.build_seconds = watch.lap();
@@ -263,7 +265,7 @@ class ClassRun {
     } catch (const std::exception& error) {
       surroundings->blame(error.what());
     }
-    // Not the submission's fault: the next run grades it again.
+    // If the submission is not at fault, the next run grades it again.
     const std::string cause = surroundings->cause();
     if (!cause.empty()) {
       grade = before;
@@ -286,8 +288,8 @@ class ClassRun {
   LayersHere here_;
   Layers layers_;
   std::vector<Submission> submissions_;
-  std::optional<OwnFiles> own_;  ///< Absent: no results are written.
-  std::optional<Store> store_;   ///< Absent without `out`, and for students.
+  std::optional<OwnFiles> own_;  ///< Absent if no results are written.
+  std::optional<Store> store_;   ///< Absent if there is no `out`, and for students.
 };
 
 }  // namespace
@@ -322,10 +324,12 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
 }
 
 bool TryReport::holds() const {
-  const auto& items = shown.submission.items;
-  return could_be_judged(shown.submission) && std::ranges::all_of(items, [](const ItemGrade& item) {
-           return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
-         });
+  const auto item_holds = [](const ItemGrade& item) {
+    return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
+  };
+  return std::ranges::all_of(shown, [&](const StudentGrade& one) {
+    return could_be_judged(one.submission) && std::ranges::all_of(one.submission.items, item_holds);
+  });
 }
 
 TryReport try_submission(GradeOptions options, const properties::RunControl& control) {
@@ -334,27 +338,40 @@ TryReport try_submission(GradeOptions options, const properties::RunControl& con
   TryReport report;
   report.interrupted = graded.interrupted;
   report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));
-  if (graded.submissions.empty()) return report;
-  report.shown = student_grade(*report.rubric, graded.submissions.front(), HiddenBy::kUs);
-  if (options.out.empty()) return report;
-  report.folder = (std::filesystem::path(options.out) / graded.submissions.front().name).string();
+  report.out = options.out;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    report.shown.push_back(student_grade(*report.rubric, grade, HiddenBy::kUs));
+  }
   return report;
 }
 
-/// The lines that `grade` prints for one submission, then details of the items that fail.
-std::string try_text(const TryReport& report) {
-  const StudentGrade& shown = report.shown;
-  std::string text = report.rubric->title + "\n" + submission_text(shown.items, shown.submission);
+namespace {
+
+/// The lines that `grade` prints for one submission, then details of the items that fail. `out`:
+/// the folder of the results; or empty.
+std::string try_text(const StudentGrade& shown, const std::string& out) {
+  std::string text = submission_text(shown.items, shown.submission);
   if (shown.unlisted > 0) text += "  " + unlisted_text(shown) + "\n";
   for (std::size_t k = 0; k < shown.items.size(); ++k) {
     const ItemGrade& item = shown.submission.items[k];
-    // For unanswered items the line above is complete.
+    // For items that were not answered, the line above is complete.
     const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
     if (item.state != ItemState::kFails || !has_more) continue;
     text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
   }
-  if (!report.folder.empty()) {
-    text += "\nwritten: " + report.folder + "/report.html, and the smallest cases beside it\n";
+  if (!out.empty()) {
+    text += fmt::format("\nwrote {}/report.html, and the smallest failing cases beside it\n",
+                        (fs::path(out) / shown.submission.name).string());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string try_text(const TryReport& report) {
+  std::string text = report.rubric->title + "\n";
+  for (std::size_t k = 0; k < report.shown.size(); ++k) {
+    text += (k == 0 ? "" : "\n") + try_text(report.shown[k], report.out);
   }
   if (report.interrupted) text += "INTERRUPTED: these are the results so far.\n";
   return text;

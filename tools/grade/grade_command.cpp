@@ -7,8 +7,9 @@
 #include <stdexcept>
 
 #include "scene/files/file_text.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/probe.h"
@@ -20,11 +21,12 @@ namespace {
 
 struct GradeArguments {
   GradeOptions options;
-  int jobs = tbb::info::default_concurrency();  ///< Submissions graded at the same time.
+  /// The number of submissions graded at the same time.
+  int jobs = tbb::info::default_concurrency();
   std::string secret_file;
   std::string package;
   bool probe = false;
-  /// Grading with less isolation requires an explicit option.
+  /// Grading with less isolation than required needs an explicit option.
   SandboxArguments sandbox = {.sandbox = Sandbox::kRequire};
   std::string format = "text";
   ShardArguments shards;
@@ -41,7 +43,8 @@ std::string secret_of(const std::string& path) {
   throw std::invalid_argument("--secret-file " + path + ": is empty");
 }
 
-/// The class in a printed format; in the default one if `format` is a format of results.json only.
+/// The class in a printed format. If `format` is only a format of results.json, the default format
+/// is used.
 std::string printed(const ClassGrade& graded, const std::string& format) {
   for (const ClassView& view : kPrintedViews) {
     if (view.name == format) return view.render(graded);
@@ -49,7 +52,7 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
   return kPrintedViews[0].render(graded);
 }
 
-/// Without submissions: tries the rubric on raycheck's own methods.
+/// Tries the rubric on raycheck's own methods, if there are no submissions.
 int try_own_methods(const GradeArguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
@@ -71,11 +74,12 @@ int try_own_methods(const GradeArguments& arguments) {
   return exit_code(tried.interrupted, !is_full, true);
 }
 
-/// Only the dry run.
+/// Makes only the dry run.
 int run_probe(const GradeArguments& arguments) {
   if (std::ranges::none_of(kProbeViews,
                            [&](const auto& view) { return view.name == arguments.format; })) {
-    throw std::invalid_argument("--format " + arguments.format + ": --probe prints text or json");
+    throw std::invalid_argument("--format " + arguments.format +
+                                ": with --probe, give text or json");
   }
   GradeOptions options = arguments.options;
   options.sandbox = sandbox_of(arguments.sandbox);
@@ -98,7 +102,10 @@ int run_grade(const GradeArguments& arguments) {
         "merge: give one folder; all shards of a class write into the same folder");
   }
   for (const std::string& folder : arguments.shards.merged) options.out = folder;
-  if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
+  if (options.out.empty()) {
+    find_submissions(options.submissions);  // a missing submission is named first
+    throw std::invalid_argument("--out: give a folder for the results");
+  }
   if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
   options.sandbox = sandbox_of(arguments.sandbox);
   for (const ResultsFormat& format : kResultsFormats) {
@@ -126,25 +133,26 @@ CommandRun add_grade(CLI::App& command) {
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
       ->required();
-  CLI::Option* const submissions =
-      command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
+  CLI::Option* const submissions = command.add_option("SUBMISSION", arguments.options.submissions,
+                                                      "the folders or files of submissions");
   command.add_option("--out", arguments.options.out, "the folder for the results")
       ->needs(submissions);
   add_shards_inside(command, arguments.shards);
-  command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
+  command.add_option("--jobs", arguments.jobs, "the number of submissions graded at the same time")
       ->check(whole_number(1, 1024));
-  // Allowed with --out, so that the later grading command only needs --probe removed.
+  // --out is allowed, so that removing --probe gives the command for grading.
   CLI::Option* const probe =
       command
-          .add_flag("--probe", arguments.probe,
-                    "only build and try the submissions, without judging; print what each reads, "
-                    "writes and shows, and a [driver] and [[form]]s for the rubric")
+          .add_flag(
+              "--probe", arguments.probe,
+              "only build the submissions and draw a test scene with each; print what each one "
+              "reads, writes and shows, and suggest [driver] and [[form]] tables for the rubric")
           ->needs(submissions);
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   command
       .add_option("--secret-file", arguments.secret_file,
-                  "derive each submission's seed from this secret file and its name")
+                  "derive each submission's seed from the secret in this file and from its name")
       ->needs(submissions)
       ->excludes(probe);
   add_sandbox(command, arguments.sandbox);

@@ -50,8 +50,8 @@ ProbeReport probe(const GradeOptions& options, const properties::RunControl& con
   const Layers layers = chosen_layers(options.sandbox).layers;
   test_environment(report.rubric, layers);
   const std::vector<Submission> submissions = find_submissions(options.submissions, {});
-  report.submissions = done_for_each<SubmissionProbe>(
-      submissions, control, "tried", [&](const Submission& each, bool alone) {
+  report.submissions =
+      done_for_each<SubmissionProbe>(submissions, control, [&](const Submission& each, bool alone) {
         return probed(each, report.rubric, layers, control, alone);
       });
   report.interrupted = control.interrupted();
@@ -62,7 +62,7 @@ namespace {
 
 using Probes = std::vector<const SubmissionProbe*>;
 
-/// Files that determine the build although the command does not name them.
+/// Files that determine the build although the build command does not name them.
 constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package.json"};
 
 constexpr std::size_t kMostNamed = 4;
@@ -83,7 +83,7 @@ std::string toml_text(std::string_view text) {
   return result + "\"";
 }
 
-/// The form that most submissions read; in a tie the first.
+/// The form that most submissions read; if two are equally frequent, the first.
 std::string driver_part(const ProbeReport& report) {
   std::vector<std::pair<DriverForm, int>> counts;
   for (const SubmissionProbe& probe : report.submissions) {
@@ -134,7 +134,7 @@ bool has_file(const SubmissionProbe& probe, const std::string& name) {
 }
 
 /// A file name that only these submissions have, so that a form can select them; empty if there is
-/// no such name.
+/// none.
 std::string distinguishing_file(const BuiltAlike& alike, const ProbeReport& report) {
   for (const std::string& name : alike.members.front()->found.files) {
     const bool is_what_it_is_of = alike.build.find(name) != std::string::npos ||

@@ -14,12 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The self-test checks whether the environment works, not its speed.
+/// At least this much time is allowed, because the self-test does not check the speed of the
+/// environment.
 constexpr double kLeastSeconds = 10;
 /// The compiler for sources.
 constexpr const char* kCompiler = "/usr/bin/g++";
 
-// Correct only for the questions asked below.
+// Its answers are right only for the questions below.
 constexpr const char* kSource = R"(#include <raycheck/candidate.h>
 static raycheck_hit intersect(const raycheck_ray*, const raycheck_sphere* sphere,
                               const raycheck_conventions*) {
@@ -50,7 +51,7 @@ cat "$1" > /dev/null && printf 'P3\n2 1\n255\n255 0 0\n0 0 0\n' > "$2"
 struct OwnSubmission {
   CandidateKind kind;
   const char *file, *text;
-  const char* what;   ///< The candidate's words in a rubric's form, without the kind.
+  const char* what;   ///< The candidate as in a rubric's form, without the kind.
   const char* words;  ///< Its name in errors.
 };
 constexpr OwnSubmission kOwn[] = {
@@ -58,7 +59,7 @@ constexpr OwnSubmission kOwn[] = {
     {CandidateKind::kCommand, "own", kCommand, "./own", "program"},
     {CandidateKind::kRenderer, "own", kRenderer, "./own {scene} {image}", "renderer"}};
 
-/// A library is compiled for the test only if there is a compiler.
+/// Whether a kind is tested. A library is compiled for the test only if there is a compiler.
 bool is_asked(CandidateKind kind, const Rubric& rubric) {
   return std::ranges::any_of(rubric.forms, [&](const Form& form) {
     const bool may_compile = form.program.kind == CandidateKind::kLibrary || !form.build.empty();
@@ -111,7 +112,7 @@ void test_environment(const Rubric& rubric, const Layers& layers) {
     try {
       judge(own, options);
     } catch (const CandidateError& error) {
-      why = error.why() + (error.said().empty() ? "" : "\n" + error.said());
+      why = error.why() + (error.output().empty() ? "" : "\n" + error.output());
     } catch (const std::exception& error) {
       why = error.what();
     }

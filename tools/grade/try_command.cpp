@@ -1,7 +1,8 @@
 #include <memory>
 
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/grade/grade.h"
 #include "tools/terminal.h"
 
@@ -30,10 +31,11 @@ CommandRun add_try(CLI::App& command) {
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
       ->required();
-  command.add_option("SUBMISSION", arguments.options.submissions, "the folder or file to hand in")
+  command.add_option("SUBMISSION", arguments.options.submissions, "folders or files to hand in")
       ->required();
-  command.add_option("--out", arguments.options.out,
-                     "a folder for the results: FOLDER/NAME/ gets the page and the failing cases");
+  command.add_option(
+      "--out", arguments.options.out,
+      "a folder for the results: the page and the failing cases are written to OUT/NAME/");
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   add_sandbox(command, arguments.sandbox);

@@ -22,12 +22,12 @@ namespace {
 using reference::kNoSphere;
 using reference::Visibility;
 
-/// A band has about kFewestPixels, so that its fixed cost is relatively small, and at most
-/// kMostPixels or one row, which bounds the memory.
+/// A band has about kFewestPixels pixels, so that its fixed cost is relatively small. It has at
+/// most kMostPixels pixels, or one row, to limit the memory.
 constexpr std::int64_t kFewestPixels = 1 << 16;
 constexpr std::int64_t kMostPixels = 1 << 20;
 
-/// The rows of a camera's image in bands, from the picture's top to its bottom.
+/// The rows of a camera's image in bands, from the top of the picture to the bottom.
 class Bands {
  public:
   Bands(const scene::Camera& camera, const scene::Conventions& conventions)
@@ -65,10 +65,10 @@ SeenBand seen_band(const Visibility& visibility, std::int64_t width,
   return band;
 }
 
-/// A band of the picture, top line first, and its counts.
+/// A band of the picture, from its top line on, and its counts.
 struct PaintedBand {
   std::vector<Colour> pixels;
-  std::vector<std::int32_t> spheres;  ///< Those seen, each once.
+  std::vector<std::int32_t> spheres;  ///< The spheres seen, each once.
   std::uint64_t pixels_that_see = 0;
   reference::DecidedBy decided_by;
   ErrorCounts errors;
@@ -111,7 +111,7 @@ void count(const PaintedBand& band, std::vector<bool>& seen, ImageReport& report
   report.error->failed += band.errors.failed;
 }
 
-/// Each ray's sphere of least s among its hits; ties: the first.
+/// For each ray, the sphere with the least s among its hits; of equal ones, the first.
 std::vector<std::optional<std::size_t>> nearest_of(const std::vector<properties::SphereHits>& hits,
                                                    std::size_t rays) {
   std::vector<std::optional<std::size_t>> nearest(rays);
@@ -143,14 +143,14 @@ properties::Candidate completed(const Implementation& implementation, const Meth
   properties::Candidate candidate = implementation.make();
   if (!candidate.intersect) {
     throw std::invalid_argument(implementation.name +
-                                ": does not implement intersect(), so it has no error of s");
+                                ": has no function intersect(), so there is no error of s");
   }
   const properties::Candidate own = candidate_of(methods);
   if (!candidate.pixel_rays && !candidate.focal_rays) {
     candidate.pixel_rays = rounded(own.pixel_rays, candidate.precision);
     candidate.focal_rays = rounded(own.focal_rays, candidate.precision);
   }
-  // Rays with only one origin are used as they are.
+  // If the candidate makes rays from only one origin, these are used.
   if (!candidate.pixel_rays) candidate.declared.origin = scene::Origin::kFocal;
   if (!candidate.focal_rays) candidate.declared.origin = scene::Origin::kPixel;
   if (!candidate.nearest) {
@@ -174,7 +174,8 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
   }
 }
 
-/// Rounds the scene to the format whose error is shown; returns how many numbers changed.
+/// Rounds the scene to the format of the candidate whose error is shown; returns the count of
+/// changed numbers.
 std::size_t round_for(const ImageOptions& options, scene::Scene& scene) {
   if (options.what != Picture::kError) return 0;
   properties::RoundedCase rounded =

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/excuse.h"
 #include "properties/run_control.h"
-#include "properties/verdict.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "tools/implementations/built_in.h"
@@ -29,22 +29,24 @@ struct ImageOptions {
   std::optional<scene::Dialect> dialect;
   Picture what = Picture::kSphere;
   Implementation implementation = {};    ///< The candidate whose error is shown.
-  MethodPair methods = kDefaultMethods;  ///< Make the rays if the candidate does not.
+  MethodPair methods = kDefaultMethods;  ///< These make the rays if the candidate does not.
   std::optional<scene::Pixel> size;      ///< Pixels across and down, instead of the scene's.
 };
 
-/// The numbers behind a picture of errors: pixels by the error of s.
+/// The numbers of pixels in a picture of errors, by the error of s.
 struct ErrorCounts {
   std::string candidate;
   Implementation implementation;
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format whose ulp errors count.
-  std::size_t rounded_numbers = 0;                         ///< Those of the scene that changed.
-  /// Pixels without an answer, which are defects; in each batch of 512 at most kMostFailuresSought
-  /// are searched for, and others of the same batch count, too.
+  /// The format in whose ulp errors are counted.
+  scene::Precision precision = scene::Precision::kDouble;
+  std::size_t rounded_numbers = 0;  ///< The count of scene numbers that were rounded.
+  /// Pixels without an answer, which are defects. In each batch of 512 pixels, at most
+  /// kMostFailuresSought are searched for; after that, other pixels that fail with them count, too.
   std::uint64_t failed = 0;
   std::string first_failure;
-  std::vector<std::uint64_t> pixels;  ///< By kErrorSteps (tools/image/image_paint.h).
-  /// Missed, false hits, or wrong spheres, by standing.
+  /// The number of pixels for each of kErrorSteps (image_paint.h).
+  std::vector<std::uint64_t> pixels;
+  /// The number of missed hits, false hits and wrong spheres, by standing.
   std::array<std::uint64_t, properties::kStandingCount> wrong = {};
 
   std::uint64_t count(properties::Standing standing) const {
@@ -58,8 +60,8 @@ struct ImageReport {
   Picture what = Picture::kSphere;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< Settings that are not needed here.
-  scene::Conventions conventions;         ///< Those of the picture.
+  std::vector<std::string> not_needed;    ///< Settings of the scene file that are not needed here.
+  scene::Conventions conventions;         ///< The picture's conventions.
   std::int64_t width = 0;
   std::int64_t height = 0;
   std::size_t spheres = 0;
@@ -69,14 +71,14 @@ struct ImageReport {
   std::optional<ErrorCounts> error;  ///< For Picture::kError.
   int threads = 1;
   double seconds = 0;
-  bool interrupted = false;  ///< If so, no picture was written.
+  bool interrupted = false;  ///< If true, no picture was written.
 };
 
-/// Decides every pixel of a scene and writes the picture, in bands of rows: neither the picture nor
-/// its data are ever in memory as a whole. The file does not depend on the number of threads.
+/// Decides every pixel of a scene and writes the picture, in bands of rows, so that neither the
+/// picture nor its data is in memory as a whole. The file does not depend on the number of threads.
 /// Domain: a scene with a camera of at most kMostPictureSide pixels per side, fewer than 2^31
 ///         spheres; otherwise throws std::invalid_argument naming the file or the field. Also
-///         throws as the reader and the file do.
+///         throws what the reader and PictureFile throw.
 ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control = {});
 

@@ -41,7 +41,8 @@ double facing_eye(const scene::Sphere& sphere, const scene::Point3& point,
   return std::isfinite(cosine) ? std::min(cosine, 1.0) : 1;
 }
 
-/// The errors of a chunk; if the candidate fails on some pixels, finds these, and shows the others.
+/// The errors of a chunk. If the candidate fails on some pixels, these are found, and the others
+/// are shown.
 std::vector<properties::NearestHitError> errors_of(properties::Trial& trial,
                                                    std::span<const std::int32_t> seen,
                                                    properties::FailureSearch& search,

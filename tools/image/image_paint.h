@@ -12,7 +12,7 @@
 
 namespace raycheck::tools {
 
-inline constexpr Colour kBackground = {16, 18, 24};  ///< Pixels without a sphere.
+inline constexpr Colour kBackground = {16, 18, 24};  ///< The colour of pixels without a sphere.
 inline constexpr Colour kHitColour = {255, 255, 255};
 /// Colours of wrong pixels, by standing: red, purple, pink, grey.
 inline constexpr std::array<Colour, properties::kStandingCount> kWrongColours = {{
@@ -22,8 +22,8 @@ inline constexpr std::array<Colour, properties::kStandingCount> kWrongColours = 
     {128, 128, 128},
 }};
 
-/// The colour of errors of s of at most `at_most` ulp (of the format judged in) and above the
-/// previous step.
+/// The colour for errors of s that are at most `at_most` ulp (of the candidate's format) and above
+/// the previous step.
 struct ErrorStep {
   double at_most;
   Colour colour;
@@ -42,11 +42,11 @@ inline constexpr std::array<ErrorStep, 8> kErrorSteps = {{
 /// "2b80ff"
 std::string hex(const Colour& colour);
 
-/// The colour of a sphere where it faces the eye: hues are a golden section of the circle apart, so
-/// that neighbours in the file, and any few spheres, differ.
+/// The colour of a sphere where it faces the eye. Hues of successive spheres are a golden section
+/// of the circle apart, so that neighbours in the file differ, and so do any few spheres.
 Colour sphere_colour(std::size_t sphere);
 
-/// Turns lines of this width upside down.
+/// Reverses the order of lines of this width.
 void flip_lines(std::vector<Colour>& pixels, std::int64_t width);
 
 /// The nearest spheres of the pixels of whole rows, row by row.
@@ -57,21 +57,21 @@ struct SeenBand {
   reference::DecidedBy decided_by;
 };
 
-/// Pixels first to end - 1 of the rows from j on, row by row.
+/// The pixels first to end - 1 of the rows from j on, counted row by row.
 std::vector<scene::Pixel> pixels_of_rows(const scene::Scene& scene, std::int64_t j,
                                          std::size_t first, std::size_t end);
 
-/// Paints the pixels of bands, in their order; adds counts to `errors`, if errors are shown. Bands
-/// may be painted by several threads at once.
+/// Paints the pixels of a band, in their order. If errors are shown, adds counts to `errors`.
+/// Several threads may paint bands at once.
 using Painter =
     std::function<void(const SeenBand& band, std::span<Colour> pixels, ErrorCounts& errors)>;
 
-/// The spheres' colours, darker where the surface turns away from the eye. Needs points.
+/// Paints the spheres' colours, darker where the surface turns away from the eye. Needs points.
 Painter sphere_painter(const scene::Scene& scene);
 Painter error_painter(const scene::Scene& scene, std::function<properties::Candidate()> candidate);
 
-/// A maker of candidates that answer whole pixels: if the implementation makes no rays, these
-/// methods do, and if it does not return the nearest sphere, that follows from its hits.
+/// Makes candidates that answer whole pixels. If the implementation makes no rays, these methods
+/// do; if it does not return the nearest sphere, that is computed from its hits.
 std::function<properties::Candidate()> answering_candidate(const Implementation& implementation,
                                                            const MethodPair& methods);
 

@@ -23,8 +23,9 @@ std::string error_table(const ErrorCounts& error) {
     table.add({fmt::format("wrong hit class or sphere: {}", name(standing)), hex(kWrongColours[k]),
                std::to_string(error.wrong[k])});
   }
-  std::string text = fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}",
-                                 error.candidate, table.text());
+  std::string text =
+      fmt::format("\n{}, compared with the exact s of each pixel's nearest sphere\n{}",
+                  error.candidate, table.text());
   text += isolation_text({error.implementation});
   if (error.rounded_numbers > 0) text += rounded_numbers_text(error.rounded_numbers) + "\n";
   if (error.failed > 0) {
@@ -42,15 +43,15 @@ std::string image_text(const ImageReport& report, const ViewOptions& /*options*/
                   report.width, report.height, count_text(report.spheres, "sphere"),
                   not_needed_text(report.not_needed), conventions_text(report.conventions));
   if (report.interrupted) return text + "INTERRUPTED: no picture was written.\n";
-  text += fmt::format("{} of {} seen, by {} of {}\n", report.spheres_seen,
+  text += fmt::format("{} of {} visible, in {} of {}\n", report.spheres_seen,
                       count_text(report.spheres, "sphere"), report.pixels_that_see,
                       count_text(static_cast<std::uint64_t>(report.width) *
                                      static_cast<std::uint64_t>(report.height),
                                  "pixel"));
   text += fmt::format("decided: {}\n", decided_by_text(report.decided_by));
   if (report.error) text += error_table(*report.error) + "\n";
-  return text + fmt::format("{} written to {} in {:.3g} s by {}\n", name(report.what), report.file,
-                            report.seconds,
+  return text + fmt::format("wrote {} ({}) in {:.3g} s with {}\n", report.file,
+                            report.error ? "the error of s" : "the spheres", report.seconds,
                             count_text(static_cast<std::uint64_t>(report.threads), "thread"));
 }
 

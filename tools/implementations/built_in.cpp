@@ -66,7 +66,7 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const fast::PixelRayMethod& meth
       [](std::size_t /*k*/, const fast::Rays& rays) { return properties::rays_of(rays); });
 }
 
-/// Each method as a candidate for its stage only: ray methods first.
+/// Each method as a candidate only for its stage; ray methods first.
 std::vector<Implementation> each_alone() {
   std::vector<Implementation> all;
   const auto add = [&all](const MethodPair& pair, Stage stage, std::string_view name,

@@ -36,8 +36,8 @@ std::string isolation_text(const std::vector<Implementation>& implementations) {
     if (one.isolated_by.empty() || !said.insert(one.name).second) continue;
     std::string holds = fmt::format("isolated by: {}", one.isolated_by);
     if (!one.bounds_of.empty()) {
-      holds +=
-          fmt::format("; documents no bounds: judged by those of {} (--bounds)", one.bounds_of);
+      holds += fmt::format(
+          "; states no error bounds, so those of {} apply; --bounds chooses others", one.bounds_of);
     }
     if (one.precision != scene::Precision::kDouble) {
       holds += "; judged in single precision: u = 2^-24, ulp of float";

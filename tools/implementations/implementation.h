@@ -37,15 +37,15 @@ struct RaysCall {
   std::vector<scene::Pixel> pixels;
 };
 
-/// Calls in raycheck's process whose arguments are already converted to the callee's types.
+/// Calls in raycheck's process, with arguments that are already converted to the callee's types.
 template <class Answer>
 struct ReadyCalls {
   std::function<void(std::size_t count)> run;   ///< Makes the first `count` calls.
   std::function<Answer(std::size_t k)> answer;  ///< The result of the k-th call.
 };
 
-/// The functions that are timed. Calls with one ray or pixel use the function for a single one, if
-/// it exists. Empty: not implemented.
+/// The functions that are timed. Calls with one ray or pixel use the candidate's function for a
+/// single one, if it exists. A function that is not implemented is empty.
 struct InProcess {
   std::function<ReadyCalls<properties::SphereHits>(const std::vector<IntersectCall>&)> intersect;
   std::function<ReadyCalls<std::vector<scene::Ray>>(const std::vector<RaysCall>&)> make_rays;
@@ -73,21 +73,21 @@ ReadyCalls<Answer> ready(const Call& call, const AnswerOf& answer_of) {
           }};
 }
 
-/// Something that can be judged: a pair of raycheck's methods, a single method, or an external
-/// candidate. Commands treat all of them alike.
+/// What commands judge: a pair of raycheck's methods, a single method, or an external candidate.
 struct Implementation {
-  std::string name;                 ///< As on the command line: "cross", "library:PATH.so".
-  std::string lasting_name = name;  ///< The same in every run, wherever its files are.
-  std::string own_name = {};        ///< The name that it declares; may be empty.
-  std::string isolated_by = {};     ///< "own user, seccomp"; empty for raycheck's methods.
-  std::string bounds_of = {};       ///< The methods whose bounds apply; empty: its own.
-  std::string source_file = {};     ///< Its source, if that is a single file.
-  /// The files that the compiler read in a source's folder, with their digests.
+  std::string name;  ///< As on the command line: "cross", "library:PATH.so".
+  /// A name that is the same in every run, wherever its files are.
+  std::string lasting_name = name;
+  std::string own_name = {};     ///< The name that it declares, or empty.
+  std::string isolated_by = {};  ///< "own user, seccomp"; empty for raycheck's methods.
+  std::string bounds_of = {};    ///< The methods whose bounds apply; empty if it has its own.
+  std::string source_file = {};  ///< Its source if that is a single file; otherwise empty.
+  /// The files that the compiler read in the source's folder, and their digests.
   std::map<std::string, std::string> built_of = {};
-  std::string arguments = {};  ///< Of a command that judges it again, without its name.
-  std::vector<properties::Stage> stages = {};  ///< In which it can be judged.
-  /// The format it is judged in. raycheck's methods in single precision take doubles and round
-  /// them, so they are judged in double.
+  std::string arguments = {};  ///< The options of a command that judges it again, without its name.
+  std::vector<properties::Stage> stages = {};  ///< The stages in which it can be judged.
+  /// The format in which it is judged. raycheck's methods in single precision take doubles and
+  /// round them, so they are judged in double precision.
   scene::Precision precision = scene::Precision::kDouble;
   contract::Interface interface = {};  ///< How it is called.
   properties::InputFormat input_format() const { return {precision, interface}; }
@@ -95,22 +95,24 @@ struct Implementation {
   std::size_t number = 0;                  ///< Its index within its stage, for charts.
   /// A candidate for one thread.
   std::function<properties::Candidate()> make = {};
-  /// Errors: std::invalid_argument with the reason why it cannot be called in this process.
+  /// Makes its functions callable in this process.
+  /// Errors: std::invalid_argument with the reason why this is not possible.
   std::function<InProcess()> in_process = {};
-  /// For a renderer: the same with driver files in another dialect; else empty.
+  /// For a renderer: makes the implementation with driver files in another dialect. Otherwise
+  /// empty.
   std::function<Implementation(scene::Dialect)> reading = {};
 
   bool offers(properties::Stage stage) const;
   /// For a pair: the name of the method for that stage.
   std::string name_in(properties::Stage stage) const;
-  bool draws() const { return static_cast<bool>(reading); }  ///< It is a renderer.
+  bool draws() const { return static_cast<bool>(reading); }  ///< Whether it is a renderer.
 };
 
-/// The lasting names; where these are ambiguous, the names.
+/// The lasting names; if two are equal, the names instead.
 std::vector<std::string> lasting_names(const std::vector<Implementation>& implementations);
 
-/// For external candidates: their isolation, the methods whose bounds apply, and their precision.
-/// Candidates with equal values share a line.
+/// The isolation of external candidates, the methods whose bounds apply to them, and their
+/// precision. Candidates with the same values share a line.
 std::string isolation_text(const std::vector<Implementation>& implementations);
 
 }  // namespace raycheck::tools

@@ -44,8 +44,9 @@ ItemReport far_root(const scene::ScenePlan& plan, std::size_t asked) {
   const auto inside =
       which(plan, [](const SpherePlan& s) { return !s.left_out && s.origin_inside; });
   return {asked - inside.size(), asked, "spheres",
-          plan.conventions.root == scene::Root::kSmaller ? "never the answer: root smaller"
-          : inside.empty()                               ? "no ray starts inside a sphere"
+          plan.conventions.root == scene::Root::kSmaller
+              ? "never the answer, since the smaller root is wanted"
+          : inside.empty() ? "no ray starts inside a sphere"
                            : "rays may start inside " + spheres_text(inside)};
 }
 
@@ -60,24 +61,28 @@ ItemReport behind_test(const scene::ScenePlan& plan, std::size_t asked) {
 ItemReport scaling(const scene::ScenePlan& plan) {
   const scene::Scaling& scaling = plan.eye.scaling();
   const bool is_plain = scaling == scene::Scaling{};
-  return {is_plain ? 1u : 0u, 1, "scene",
-          is_plain ? fmt::format("lengths are within 2^-{0} and 2^{0}, or the largest is about 1",
-                                 scene::kPlainExponent)
-                   : fmt::format("lengths are divided by 2^{}, the image plane's by 2^{}",
-                                 scaling.lengths, scaling.plane)};
+  return {
+      is_plain ? 1u : 0u, 1, "scene",
+      is_plain
+          ? fmt::format(
+                "not needed: all lengths are between 2^-{0} and 2^{0}, or the largest is about 1",
+                scene::kPlainExponent)
+          : fmt::format("lengths are divided by 2^{}, those of the image plane by 2^{}",
+                        scaling.lengths, scaling.plane)};
 }
 
 ItemReport quantities(scene::Wanted wanted) {
   constexpr std::array<std::pair<std::uint64_t, const char*>, 4> kLeftOut = {
-      {{3, "the class: no nearest sphere, s or Q"},
-       {1, "s: no Q"},
-       {0, "Q, and all that leads to it"},
-       {2, "the nearest sphere: no s or Q"}}};
+      {{3, "only hit or miss is wanted, not the nearest sphere, s or Q"},
+       {1, "s is wanted, not Q"},
+       {0, "Q is wanted, which needs all others"},
+       {2, "only the nearest sphere is wanted, not s or Q"}}};
   const auto& [count, why] = kLeftOut[static_cast<std::size_t>(wanted)];
   return {count, kLeftOut.size(), "quantities", why};
 }
 
-/// In the order of kPlanItems; the filter's count comes from deciding pixels.
+/// The effects of items, in the order of kPlanItems. The filter's count is set later, when pixels
+/// are decided.
 std::vector<ItemReport> items_of(const scene::Scene& scene, const scene::ScenePlan& plan) {
   const std::size_t asked = which(plan, [](const SpherePlan& s) { return !s.left_out; }).size();
   const auto all = asked * static_cast<std::uint64_t>(scene.camera->width) *
@@ -87,24 +92,25 @@ std::vector<ItemReport> items_of(const scene::Scene& scene, const scene::ScenePl
     pairs += static_cast<std::uint64_t>(sphere.pixels.count());
   }
   ItemReport hidden =
-      left_out(plan, scene::LeftOut::kHidden, "a ray that meets it meets another sphere no later");
+      left_out(plan, scene::LeftOut::kHidden,
+               "every ray that meets it meets another sphere first or at the same point");
   if (plan.wanted != scene::Wanted::kNearest) {
-    hidden.why = "only if just the nearest sphere is wanted";
+    hidden.why = "applies only if the nearest sphere is wanted and nothing else";
   }
   const bool is_aligned = plan.eye.axis_aligned();
   return {left_out(plan, scene::LeftOut::kOutsideView, "no ray of the image meets it"),
           left_out(plan, scene::LeftOut::kBehind, "entirely behind where rays start"),
           std::move(hidden),
-          {all - pairs, all, "pairs", "certain bounds of the spheres' outlines"},
+          {all - pairs, all, "pairs", "proved bounds of the spheres' outlines in the image"},
           {pairs - std::min<std::uint64_t>(pairs, asked), pairs, "pairs",
-           "C - E along the axes and |C - E|^2 - r^2, once per sphere"},
+           "C - E along the axes, and |C - E|^2 - r^2, are computed once for each sphere"},
           far_root(plan, asked),
           behind_test(plan, asked),
           scaling(plan),
           {0, 0, plan.wanted == scene::Wanted::kClass ? "classes" : "pixels", ""},
           {is_aligned ? 1u : 0u, 1, "camera",
-           is_aligned ? "U, V, W are axes of the world"
-                      : "U, V, W are not certainly axes of the world"},
+           is_aligned ? "U, V and W are parallel to the axes of the world"
+                      : "U, V and W are not known to be parallel to the axes of the world"},
           quantities(plan.wanted)};
 }
 
@@ -113,7 +119,7 @@ void count_filtered(const reference::DecidedBy& decided_by, ItemReport& item) {
   item.of = decided_by.filter + decided_by.fallback();
   item.why = item.of == 0 ? "no pixel was decided"
              : decided_by.fallback() == 0
-                 ? "doubles decide, within proved bounds on their errors"
+                 ? "doubles decide, since their errors are below proved bounds"
                  : fmt::format("doubles leave {} undecided", decided_by.fallback());
 }
 
@@ -140,7 +146,7 @@ PlanReport make_plan(const PlanOptions& options, const properties::RunControl& c
   } catch (const std::invalid_argument& error) {
     report.warnings.push_back(fmt::format("nothing is timed: {}", error.what()));
   } catch (const scene::Interrupted&) {
-    // The report has the times so far.
+    // The report contains the times so far.
   }
   report.interrupted = control.interrupted();
   constexpr auto kFilter = std::ranges::find(kPlanItems, "filter", &PlanItem::name);

@@ -19,10 +19,10 @@ struct PlanOptions {
   std::string path;
   std::optional<scene::Dialect> dialect;
   scene::Wanted wanted = scene::Wanted::kNearest;
-  std::size_t top = 20;  ///< The number of spheres in the text.
+  std::size_t top = 20;  ///< The number of spheres in the text report.
 };
 
-/// An item of a plan, as named in reports, and what it leaves out.
+/// An item of a plan: its name in reports, and what it leaves out.
 struct PlanItem {
   std::string_view name;
   std::string_view sentence;
@@ -44,20 +44,20 @@ inline constexpr std::array<PlanItem, 11> kPlanItems = {{
     {"quantities", "quantities that are not wanted", &scene::PlanItems::quantities},
 }};
 
-/// Times of certified visibility, on one core, with the whole plan and without one item.
+/// Times of certified visibility, on one core: with the whole plan, and without one item of it.
 struct PlanTime {
   double with_plan_ms = 0;
   double without_ms = 0;
-  std::uint64_t pixels = 0;  ///< How many were timed; the times are scaled to the whole image.
+  std::uint64_t pixels = 0;  ///< The number of pixels timed; times are scaled to the whole image.
 };
 
-/// The effect of an item: it leaves out `left_out` of `of` things called `noun`.
+/// The effect of an item: it leaves out `left_out` of `of` things; `noun` is their name.
 struct ItemReport {
   std::uint64_t left_out = 0;
   std::uint64_t of = 0;
   std::string_view noun;
   std::string why;
-  std::optional<PlanTime> time = {};  ///< Empty if nothing is left out, or it was not measured.
+  std::optional<PlanTime> time = {};  ///< Empty if nothing is left out, or if it was not measured.
 };
 
 struct PlanReport {
@@ -66,25 +66,26 @@ struct PlanReport {
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
   std::vector<std::string> not_needed;    ///< Settings that are not needed here.
   scene::Scene scene;
-  /// Only for scenes with a camera: given rays have no computations in common.
+  /// Only for scenes with a camera, because given rays have no computations in common.
   std::optional<scene::ScenePlan> plan;
   std::vector<ItemReport> items;   ///< In the order of kPlanItems.
-  double plan_ms = 0;              ///< To make the plan.
-  std::optional<double> image_ms;  ///< With the whole plan; empty if not timed.
+  double plan_ms = 0;              ///< The time to make the plan.
+  std::optional<double> image_ms;  ///< The time with the whole plan; empty if not timed.
   std::uint64_t pixels_timed = 0;
-  reference::DecidedBy decided_by;  ///< For the pixels timed.
+  reference::DecidedBy decided_by;  ///< How the timed pixels were decided.
   std::size_t top = 0;
-  bool interrupted = false;  ///< If so, some items have no times.
+  bool interrupted = false;  ///< If true, some items have no times.
 };
 
-/// Plans a scene file, and measures what each item saves; for an image that is too large
-/// (reference::kMostVisibleSide) it adds a warning and times nothing. Throws as the reader does.
+/// Makes the plan of a scene file, and measures the time that each item saves. If the image is too
+/// large (reference::kMostVisibleSide), adds a warning and measures nothing. Throws what the reader
+/// of the file throws.
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control = {});
 
-/// Fills in the times of a report that has a scene and a plan, and what decided the pixels timed:
-/// the whole image if that is quick, otherwise bands (or rows) spread over it.
+/// Fills in the times of a report that has a scene and a plan, and `decided_by`. Times the whole
+/// image if that is quick, otherwise bands (or rows) spread over it.
 /// Errors: std::invalid_argument if the image is too large (reference::kMostVisibleSide);
-/// scene::Interrupted, with the times so far.
+/// scene::Interrupted, which leaves the times so far in the report.
 void time_plan(PlanReport& report);
 
 std::string plan_text(const PlanReport& report, const ViewOptions& options);

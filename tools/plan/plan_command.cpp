@@ -1,9 +1,10 @@
 #include <limits>
 #include <memory>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/plan/plan.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
@@ -29,10 +30,10 @@ CommandRun add_plan(CLI::App& command) {
   PlanArguments& arguments = *given;
   command.add_option("SCENE", arguments.options.path, "a scene with a camera")->required();
   add_named(command, "--wanted", arguments.options.wanted, scene::kWantedNames,
-            "class: of every sphere; nearest: the nearest sphere; parameter: with its s; point: "
-            "with s and Q");
+            "what is wanted; class: hit or miss for every sphere; nearest: the nearest sphere; "
+            "parameter: the nearest sphere and its s; point: the nearest sphere, its s and Q");
   add_number(command, "--top", arguments.options.top, 0, std::numeric_limits<int>::max(),
-             "the number of spheres in the text");
+             "the number of spheres in the text report");
   add_dialect(command, arguments.dialect);
   add_format(command, arguments.format, names_of(kPlanViews));
   return [given] { return run_plan(*given); };

@@ -50,7 +50,7 @@ std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) 
   json["spheres"] = Json::array();
   if (!report.plan) {
     json["wanted"] = nullptr;
-    json["no_plan"] = "given rays have no computations in common";
+    json["no_plan"] = "a plan needs a camera, since only its rays share computations";
     return json_text(json);
   }
   json["wanted"] = scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)];

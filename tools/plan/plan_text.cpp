@@ -14,7 +14,7 @@ using scene::SpherePlan;
 
 std::string milliseconds(double ms) { return fmt::format("{:.3g}", ms); }
 
-/// "saves 73%"; a negative share means that the item costs time here.
+/// "saves 73%"; if the share is negative, the item costs time here.
 std::string share_text(const PlanTime& time) {
   return fmt::format("{}%", std::lround(100 * (1 - time.with_plan_ms / time.without_ms)));
 }
@@ -26,12 +26,12 @@ std::string left_out_text(const ItemReport& item) {
 }
 
 std::string items_table(const PlanReport& report) {
-  Table table({"item", "left out", ">ms with", ">ms without", ">saves", "why"});
+  Table table({"item", "skipped", ">ms with", ">ms without", ">saves", "why"});
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
     const ItemReport& item = report.items[k];
     const bool is_estimate = kPlanItems[k].member == &scene::PlanItems::filter && item.time;
     std::string why = item.why;
-    if (is_estimate) why += fmt::format("; time from {}", count_text(item.time->pixels, "pixel"));
+    if (is_estimate) why += fmt::format("; timed on {}", count_text(item.time->pixels, "pixel"));
     table.add({std::string(kPlanItems[k].name), left_out_text(item),
                item.time ? milliseconds(item.time->with_plan_ms) : "-",
                item.time ? (is_estimate ? "~" : "") + milliseconds(item.time->without_ms) : "-",
@@ -75,9 +75,10 @@ std::string spheres_table(const PlanReport& report) {
 
 std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) {
   if (!report.plan) {
-    return fmt::format("{}: {}, {}\nno plan: given rays have no computations in common\n",
-                       report.path, count_text(report.scene.rays.size(), "given ray"),
-                       count_text(report.scene.spheres.size(), "sphere"));
+    return fmt::format(
+        "{}: {}, {}\nno plan: a plan needs a camera, since only its rays share computations\n",
+        report.path, count_text(report.scene.rays.size(), "given ray"),
+        count_text(report.scene.spheres.size(), "sphere"));
   }
   const scene::Camera& camera = *report.scene.camera;
   const std::uint64_t all =
@@ -91,7 +92,7 @@ std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) 
   text += report.image_ms ? milliseconds(*report.image_ms) + " ms for the image on one core"
                           : "the image is not timed";
   if (report.image_ms && report.pixels_timed < all) {
-    text += fmt::format(", from {} pixels", report.pixels_timed);
+    text += fmt::format(", estimated from {} pixels", report.pixels_timed);
   }
   text += "\n";
   if (report.interrupted) text += "INTERRUPTED: some items were not timed.\n";

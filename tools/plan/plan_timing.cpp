@@ -14,21 +14,21 @@ using reference::Visibility;
 using scene::Wanted;
 using Clock = std::chrono::steady_clock;
 
-/// Approximate time limits for everything and for one item, and the resolution of a clock.
+/// Approximate limits on the time for everything and for one item, and the resolution of a clock.
 constexpr double kAllSeconds = 2;
 constexpr double kItemSeconds = 0.15;
 constexpr double kLeastSeconds = 20e-6;
 constexpr int kMostPasses = 9;
-/// Limits on the pairs of spheres and pixels computed at a time,
+/// At most this many pairs of spheres and pixels are computed at a time.
 constexpr double kMostPairs = 1e8;
-/// and on the pixels, to bound the memory.
+/// At most this many pixels are computed at a time, to limit the memory.
 constexpr double kMostPixelsAtATime = 1 << 22;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The timed work: computing the wanted quantities of a scene's rows into arrays.
+/// The timed work: computes the wanted quantities of a scene's rows into arrays.
 class Workload {
  public:
   Workload(const scene::Scene& scene, Wanted wanted, std::int64_t rows)
@@ -71,7 +71,8 @@ class Workload {
   std::vector<double> parameter_, x_, y_, z_;
 };
 
-/// An image's rows in bands, in an order whose every prefix is spread over the image.
+/// An image's rows in bands. Their order is such that the first k bands, for any k, are spread over
+/// the image.
 class Bands {
  public:
   Bands(std::int64_t height, std::int64_t rows)
@@ -92,7 +93,7 @@ class Bands {
   std::int64_t height_, rows_, count_, step_;
 };
 
-/// Seconds that some rows take, repeated until the clock resolves them.
+/// The seconds that some rows take; repeats them until the clock resolves the time.
 double time_rows(const Visibility& visibility, Workload& workload,
                  const std::pair<std::int64_t, std::int64_t>& rows) {
   const Clock::time_point start = Clock::now();
@@ -104,13 +105,14 @@ double time_rows(const Visibility& visibility, Workload& workload,
   return seconds_since(start) / repetitions;
 }
 
-/// The times of several visibilities for the first bands of the image, at least one and at most
-/// those that fit into the time limit: the sum of the least of several passes, in milliseconds for
-/// the whole image. They take turns, so that disturbances of the machine slow all of them.
+/// The times of several visibilities, in milliseconds for the whole image. They are measured on the
+/// first bands of the image, at least one and as many as fit into the time limit: the sum, over the
+/// bands, of the shortest of several passes. The visibilities take turns, so that disturbances of
+/// the machine slow all of them.
 struct PartTimes {
   std::vector<double> image_ms;
   std::size_t bands = 0;
-  std::int64_t rows = 0;  ///< Of these bands together.
+  std::int64_t rows = 0;  ///< The number of rows of these bands together.
 };
 PartTimes time_parts(const std::vector<const Visibility*>& all, Workload& workload,
                      const Bands& bands, std::int64_t height) {
@@ -126,7 +128,7 @@ PartTimes time_parts(const std::vector<const Visibility*>& all, Workload& worklo
       }
       if (pass > 0) continue;
       times.rows += rows.second - rows.first;
-      // Half of the time for the first pass, to leave time for a second.
+      // The first pass may take half of the time, to leave time for a second.
       if (seconds_since(start) > kItemSeconds / 2) times.bands = part + 1;
     }
   }
@@ -146,7 +148,8 @@ double pairs_asked(const scene::ScenePlan& plan) {
   return pairs;
 }
 
-/// Seconds that only the exact ray takes for some pixels spread over the image, and their number.
+/// The seconds that the exact ray takes for some pixels spread over the image, and the number of
+/// these pixels.
 std::pair<double, std::uint64_t> time_exact_pixels(const scene::Scene& scene,
                                                    const scene::ScenePlan& plan) {
   constexpr std::uint64_t kMostPixels = 4096;
@@ -219,7 +222,8 @@ void time_plan(PlanReport& report) {
       item.time = PlanTime{*report.image_ms, 1e3 * seconds * all, pixels};
       continue;
     }
-    // Classes are computed sphere by sphere, with its constants and no other quantities.
+    // Hit classes are computed sphere by sphere, with each sphere's constants and without other
+    // quantities.
     const bool is_asked = plan.wanted != Wanted::kClass || (items.constants && items.quantities);
     if (item.left_out == 0 || !is_asked) continue;
     const scene::ScenePlan without = scene::plan_scene(scene, plan.conventions, plan.wanted, items);

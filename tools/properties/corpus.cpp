@@ -28,7 +28,7 @@ constexpr std::string_view kFoundWith = "found with: ";
 constexpr std::string_view kReplay = "replay: ";
 constexpr std::string_view kPixels = "pixels:";
 
-/// The text that follows a word in the comments of a file; or empty.
+/// The text that follows a word in the comments of a file, or empty.
 std::string said(const std::string& text, std::string_view word) {
   std::istringstream lines(text);
   const std::string begins = "# " + std::string(word);
@@ -49,7 +49,7 @@ std::vector<scene::Pixel> pixels_of(std::string text) {
   return pixels;
 }
 
-/// Throws std::invalid_argument that names the file and a pixel outside of its camera's image.
+/// Throws std::invalid_argument naming the file if a pixel is outside its camera's image.
 void require_inside(const Case& the_case, const fs::path& file) {
   const auto& camera = *the_case.scene.camera;
   for (const scene::Pixel& one : the_case.pixels) {
@@ -71,8 +71,8 @@ std::vector<fs::path> files_in(const std::string& folder) {
   return files;
 }
 
-/// A candidate's name without the folders of the files in it, so that it is the same on all
-/// machines that share a corpus: "source:/home/me/tracer.cpp" is "source:tracer.cpp".
+/// A candidate's name without folders of files, so that it is the same on all machines that share a
+/// corpus: "source:/home/me/tracer.cpp" becomes "source:tracer.cpp".
 std::string shared_name(const std::string& candidate) {
   std::istringstream words(candidate);
   std::string shared;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A folder of cases that once broke a law: scenes, whose comments name the law and the candidate,
-// and how to replay the case from which each was shrunk. Internal to `properties`.
+// A folder of cases that once broke a law. Each is a scene whose comments name the law, the
+// candidate, and how to replay the case from which it was shrunk. Internal to `properties`.
 
 #include <span>
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace raycheck::tools {
 
-/// Judges every case of the folder, in the order of the files' names, on every candidate by the
-/// case's law, if that is selected. Shape: a candidate for each implementation, in their order.
+/// Judges every candidate on every case of the folder, in the order of the file names, by the
+/// case's law if that is selected. Shape: a candidate for each implementation, in their order.
 /// Errors: std::invalid_argument naming the file.
 std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
                                       std::span<const properties::Law* const> laws,
                                       std::span<const Implementation> implementations,
                                       std::span<const properties::Candidate> candidates);
 
-/// Adds shrunk cases that break a law to the folder, which is made if missing; other files stay.
+/// Adds shrunk cases that break a law to the folder, which is made if missing. Other files stay.
 /// Errors: std::invalid_argument, std::runtime_error.
 void keep_in_corpus(const PropertiesReport& report, const std::string& folder);
 

@@ -36,18 +36,18 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
   return found;
 }
 
-/// Whether a law can distinguish this pair from one already tried: laws of the camera do not depend
-/// on the intersection method, those of the intersection hardly on the ray method.
+/// Whether a law may give another result on this pair than on one already tried. Laws of the camera
+/// do not depend on the intersection method, and laws of the intersection hardly on the ray method.
 bool is_worth_asking(const Law& law, const Implementation& implementation, bool chosen_by_user) {
   if (chosen_by_user || !implementation.methods) return true;
   const MethodPair& pair = *implementation.methods;
-  if (speaks_of_cameras(law) == speaks_of_intersections(law)) return true;
-  return speaks_of_cameras(law) ? pair.intersect == kDefaultMethods.intersect
-                                : pair.rays == kDefaultMethods.rays;
+  if (is_about_cameras(law) == is_about_intersections(law)) return true;
+  return is_about_cameras(law) ? pair.intersect == kDefaultMethods.intersect
+                               : pair.rays == kDefaultMethods.rays;
 }
 
-/// Renderers are not given the conventions of a random case: they are judged by the defaults,
-/// except for those that they declare, and not at tangents.
+/// A candidate for campaigns. Renderers do not get the conventions of a random case, so they are
+/// judged by the defaults and by those that they declare, and not at tangents.
 Candidate campaigner(const Implementation& implementation) {
   Candidate candidate = implementation.make();
   if (candidate.image) {
@@ -86,8 +86,8 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   return report;
 }
 
-/// Explanations are found by asking about cases again, which is misleading for a candidate that
-/// keeps state between questions.
+/// Removes explanations of candidates that keep state between questions. They were found by asking
+/// about cases again, so they are misleading.
 void leave_out_sentences_about_state(std::vector<CampaignReport>& reports) {
   std::set<std::string> keep_state;
   for (const CampaignReport& report : reports) {
@@ -161,7 +161,7 @@ PropertiesReport replay(const PropertiesOptions& options) {
   throw scene::InvalidInput("replay", "", "no candidate is called '" + parsed.candidate + "'");
 }
 
-/// The campaigns of all laws and candidates, in one pass.
+/// Runs the campaigns of all laws and candidates in one pass.
 class Study {
  public:
   /// The options must outlive it.
@@ -219,7 +219,7 @@ class Study {
         });
   }
 
-  /// Their results, in the order of laws.
+  /// The results of the campaigns, in the order of laws.
   std::vector<CampaignReport> finished(const properties::RunControl& control) {
     std::vector<CampaignReport> reports;
     for (const Candidate& one : candidates_.local()) one.begin_anew();
@@ -241,7 +241,7 @@ class Study {
   }
 
  private:
-  /// One campaign: its candidate, and its number among that candidate's campaigns.
+  /// A campaign: its candidate, and its number among that candidate's campaigns.
   struct Campaign {
     const Law* law;
     std::size_t candidate, number;
@@ -277,8 +277,8 @@ class Study {
     return asked;
   }
 
-  /// A target for every law that measures a quantity. A search has at most the cases of one of
-  /// `worst`, and the same number of steps for each.
+  /// Sets a target for every law that measures a quantity. A search has at most as many cases as
+  /// SearchOptions has by default, and the same number of steps per case.
   void set_targets(const std::vector<properties::LawsOfCandidate>& asked) {
     for (std::size_t k = 0; k < order_.size(); ++k) {
       const auto& [law, candidate, number] = order_[k];
@@ -295,7 +295,7 @@ class Study {
   }
 
   const PropertiesOptions& options_;
-  bool is_chosen_;  ///< The user has chosen the candidates.
+  bool is_chosen_;  ///< Whether the user has chosen the candidates.
   std::vector<Implementation> judged_;
   std::vector<std::string> names_;
   std::vector<const Law*> laws_;
@@ -303,7 +303,7 @@ class Study {
   std::vector<Campaign> order_;
   std::vector<Target> targets_;
   std::optional<properties::Campaigns> campaigns_;
-  std::vector<std::optional<properties::WorstCase>> worst_;  ///< Of each campaign.
+  std::vector<std::optional<properties::WorstCase>> worst_;  ///< The worst case of each campaign.
 };
 
 }  // namespace
@@ -355,7 +355,8 @@ PropertiesReport run_properties(const PropertiesOptions& options,
 
 int cases_for(const PropertiesOptions& options, double seconds,
               const properties::RunControl& control) {
-  // From a campaign that takes this share of the time left, that of a larger one is estimated.
+  // If a campaign takes this share of the time left, the time of a larger campaign is estimated
+  // from it.
   constexpr double kShare = 0.1;
   constexpr double kMargin = 0.95;
   constexpr double kMostCases = 1e9;

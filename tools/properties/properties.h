@@ -21,32 +21,33 @@
 namespace raycheck::tools {
 
 struct PropertiesOptions {
-  std::string filter;  ///< Laws whose name contains it; empty: all.
+  std::string filter;  ///< Only laws whose name contains this; if empty, all laws.
   int cases = properties::kCampaignCases;
   std::uint64_t seed = 1;
-  std::string replay;                             ///< Empty: a campaign.
-  std::vector<Implementation> implementations;    ///< Empty: each method once.
-  std::vector<properties::ChosenSource> sources;  ///< Empty: every source that suits the law.
-  std::optional<properties::Level> level;         ///< Empty: each candidate's own.
+  std::string replay;  ///< The failure to replay; if empty, campaigns are run.
+  std::vector<Implementation> implementations;    ///< If empty, each of raycheck's methods once.
+  std::vector<properties::ChosenSource> sources;  ///< If empty, every source that suits the law.
+  std::optional<properties::Level> level;         ///< If empty, each candidate's level.
   std::optional<double> max_error;
-  bool strict = false;         ///< Excused or undecided answers break a law, too.
-  std::size_t keep_going = 1;  ///< Distinct failures of a law that are shown.
-  /// After the random cases, climb on this measure of each law that has one.
+  bool strict = false;         ///< Whether excused or undecided answers break a law, too.
+  std::size_t keep_going = 1;  ///< The number of distinct failures of a law to search for.
+  /// If given, after the random cases, hill-climb to maximise this value for each law that has it.
   std::optional<properties::Climb> target;
-  std::string corpus;  ///< A folder of cases that once broke a law; empty: none.
+  std::string corpus;  ///< A folder of cases that once broke a law, or empty.
 };
 
 struct CorpusFinding {
   std::string file, law;
   std::string candidate, lasting_name;
-  bool was_broken = false;  ///< The case was kept because this candidate broke the law on it.
+  /// Whether the case was kept because this candidate broke the law on it.
+  bool was_broken = false;
   properties::Finding finding = properties::Finding::kHolds;
   std::vector<properties::DefectKind> defects;
 
   bool is_mended() const { return was_broken && finding == properties::Finding::kHolds; }
 };
 
-/// One law on one candidate.
+/// The result of trying one law on one candidate.
 struct CampaignReport {
   const properties::Law* law;
   std::string candidate;
@@ -55,18 +56,18 @@ struct CampaignReport {
   properties::Finding finding;
   /// The mistakes that explain the errors of an external implementation that breaks the law.
   std::vector<properties::Explanation> explanations = {};
-  /// Where the numbers of the failure's case may lie; empty where that is not sought (has_ranges).
+  /// The ranges of the numbers of the failure's case; empty if they are not sought (has_ranges).
   std::optional<properties::Ranges> ranges = {};
   Implementation implementation = {};
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in,
-  properties::Domain domain = {};                          ///< and where.
-  std::optional<properties::WorstCase> worst = {};         ///< The result of a target.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format in which it was judged.
+  properties::Domain domain = {};                          ///< The domain in which it was judged.
+  std::optional<properties::WorstCase> worst = {};         ///< The result of the climb to a target.
 
-  /// Whether its failure depends on earlier questions to the candidate.
+  /// Whether the failure depends on earlier questions to the candidate.
   bool keeps_state() const { return result.failure && result.failure->is_of_earlier; }
 };
 
-/// An external candidate, which documents no bounds.
+/// An external candidate that documents no bounds.
 struct BorrowedBounds {
   std::string candidate;
   std::string methods;  ///< The methods whose bounds apply to it: "direct/cross".
@@ -76,28 +77,30 @@ struct PropertiesReport {
   std::vector<CorpusFinding> corpus;
   std::vector<CampaignReport> campaigns;
   std::vector<BorrowedBounds> borrowed;
-  std::optional<std::uint64_t> seed;  ///< Empty for a replay.
+  std::optional<std::uint64_t> seed;  ///< Empty if a failure was replayed.
   int cases = 0;
   bool interrupted = false;
   bool strict = false;
   std::optional<properties::Climb> target;
-  std::string time = {};           ///< The time that its cases fill, "10m"; empty: not given.
+  std::string time = {};           ///< The time that the user wanted to fill, "10m"; or empty.
   std::optional<Ratchet> ratchet;  ///< If it is compared with a baseline.
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }
   bool holds() const;
-  /// Whether something was judged, no law has too few judged cases, and the baseline has everything
-  /// undecided.
+  /// Whether something was judged, no law has too few judged cases, and everything undecided is in
+  /// the baseline.
   bool is_conclusive() const;
 };
 
-/// Runs the campaigns, or replays one failure. With `units`, only the shard's missing units; if
-/// that is not everything, the report is empty. Throws std::invalid_argument naming the field.
+/// Runs the campaigns, or replays one failure. If `units` is given, runs only the shard's missing
+/// units, and returns an empty report unless the shard is the whole campaign. Throws
+/// std::invalid_argument naming the field.
 PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control = {}, Units* units = nullptr);
 
-/// The number of cases that fill a time on this machine, estimated by campaigns of growing size.
+/// The number of cases that take this many seconds on this machine, estimated by campaigns of
+/// growing size.
 int cases_for(const PropertiesOptions& options, double seconds,
               const properties::RunControl& control);
 
@@ -115,18 +118,18 @@ inline constexpr View<PropertiesReport> kPropertiesViews[] = {
 /// The parts of each source, in the order of sources.
 std::vector<std::span<const properties::CampaignPart>> by_source(
     const properties::CampaignResult& result);
-/// Why too few cases were judged to conclude that a law holds.
+/// Which answers were too rarely right to conclude that a law holds.
 /// Domain: a campaign with that finding.
 std::string too_few_text(const properties::CampaignResult& result);
 std::string replay_text(const CampaignReport& campaign, const std::string& replay);
 /// Why a law is broken, in lines, with the shrunk case.
 /// Domain: a campaign with a failure.
 std::string failure_text(const CampaignReport& campaign, bool colours);
-/// Another failure of it.
+/// Why another failure of the same campaign breaks the law.
 std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
                          bool colours);
 
-/// The shrunk case of every broken law, as a page with a scene for each.
+/// The shrunk cases of all broken laws as a page, with a scene for each.
 ViewDocument properties_document(const PropertiesReport& report,
                                  const properties::RunControl& control);
 

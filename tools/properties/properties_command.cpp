@@ -4,8 +4,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/gate_arguments.h"
 #include "tools/properties/properties.h"
 #include "tools/shard_arguments.h"
@@ -57,7 +58,7 @@ int run_properties_command(PropertiesArguments& arguments) {
   report.time = arguments.budget;
   Gate gate = properties_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = properties_gate(report);  // now with the baseline
+  if (report.ratchet) gate = properties_gate(report);  // again, with the baseline
   files.write(kPropertiesViews, report, gate);
   print_view(kPropertiesViews, arguments.gate.format, report, gate);
   if (view) view->write(page(properties_document(report, run_control("page"))));
@@ -71,7 +72,7 @@ CommandRun add_properties(CLI::App& command) {
   const auto given = std::make_shared<PropertiesArguments>();
   PropertiesOptions& options = given->options;
   JudgedArguments& judged = given->judged;
-  command.add_option("--filter", options.filter, "laws whose name contains this");
+  command.add_option("--filter", options.filter, "only laws whose name contains this");
   add_cases(command, options.cases,
             "cases for each law, candidate and level, shared among sources and severities");
   add_seed(command, options.seed);
@@ -80,11 +81,10 @@ CommandRun add_properties(CLI::App& command) {
   command.add_option("--rays", judged.rays, "only this method of making rays");
   command.add_option("--intersect", judged.intersect,
                      "only this intersection method; may be repeated");
-  add_external(command, judged.external);
-  add_renderer(command, judged.external);
+  add_judged(command, judged.external);
   command.add_option("--dialect", judged.dialect,
-                     "of the driver files that renderers are given: A, B, C, 2017 to 2020, auto "
-                     "(what it reads), or a form such as B:17:no-light (default: B)");
+                     "the format of driver files for renderers: A, B, C, 2017 to 2020, auto (what "
+                     "the renderer reads), or a form such as B:17:no-light (default: B)");
   command.add_option("--source", given->sources,
                      "only cases of this source, or of this severity (SOURCE@SEVERITY); may be "
                      "repeated");
@@ -92,25 +92,26 @@ CommandRun add_properties(CLI::App& command) {
             "the hardest cases that are tried: ordinary, demanding or extreme (default: the level "
             "that the candidate declares, else ordinary for external candidates and demanding for "
             "raycheck's methods)");
-  // The replay string already determines law, methods and source.
+  // A replay string already determines law, methods and source.
   add_shards(command, given->shards);
   for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {
     replay->excludes(command.get_option(other));
   }
   command
       .add_option("--for", given->budget,
-                  "as many cases as take this time on this machine, 90s, 10m or 2h; the report "
-                  "gives their number")
+                  "try cases for this time on this machine, 90s, 10m or 2h; the report gives their "
+                  "number")
       ->type_name("TIME")
       ->excludes(replay, command.get_option("--cases"), command.get_option("--out"));
   add_named(command, "--target", options.target, properties::kClimbNames,
             "after the random cases, hill-climb from the worst of them to maximise each law's "
-            "error, its error over the growth of the documented bound, or the stability ratio rho")
+            "error, the error divided by the factor by which its bound grows with the condition "
+            "number, or the stability ratio rho")
       ->excludes(replay);
   command
       .add_option("--corpus", options.corpus,
-                  "first try the cases in this folder, then add shrunk cases that break a law to "
-                  "it; commit it")
+                  "first try the cases in this folder; then add to it the shrunk cases that break "
+                  "a law; commit it")
       ->type_name("FOLDER")
       ->excludes(replay);
   command
@@ -123,7 +124,7 @@ CommandRun add_properties(CLI::App& command) {
   add_threads(command, given->threads, "the report");
   add_view(command, given->view, "the shrunk case of every broken law");
   add_max_ulp(command, options.max_error,
-              "the bound on every error (default: the method's documented bounds)");
+              "errors above this are discrepancies (default: the documented bounds)");
   add_gate(command, given->gate, names_of(kPropertiesViews));
   return [given] { return run_properties_command(*given); };
 }

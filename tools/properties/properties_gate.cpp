@@ -17,7 +17,7 @@ using properties::Finding;
 using properties::Standing;
 using Parts = std::span<const CampaignPart>;
 
-/// At most this number of broken parts of a source are given a replay command.
+/// At most this many broken parts of a source get a replay command.
 constexpr std::size_t kMostReplays = 3;
 
 std::string source_of(Parts parts) { return std::string(parts.front().source.source->name); }
@@ -58,10 +58,10 @@ std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool
   return {found.begin(), found.end()};
 }
 
-/// "the far root is taken (root: wrong root; ordinary)"
+/// "the far root is taken (root: wrong root, ordinary cases)"
 std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
-  const std::string shown =
-      scene::joined(defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place; });
+  const std::string shown = scene::joined(
+      defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place + " cases"; });
   const std::string_view why = campaign.explanations.empty()
                                    ? campaign.law->sentence
                                    : std::string_view(campaign.explanations.front().sentence);
@@ -115,7 +115,7 @@ void add_check_of(const CampaignReport& campaign, Parts parts, Gate& gate) {
   }
 }
 
-/// A case of the corpus, which counts as a source; its place is the file.
+/// Adds a check of a case in the corpus. The corpus counts as a source, and the file as the place.
 void add_check_of(const CorpusFinding& one, Gate& gate) {
   const std::string source = "corpus";
   std::vector<Identity> found;
@@ -137,7 +137,7 @@ void add_check_of(const CorpusFinding& one, Gate& gate) {
   check.text = fmt::format("the case that breaks the law: {}\n", one.file);
 }
 
-/// A check of a law as a whole, besides those of its sources.
+/// A check of a whole law, besides the checks on its sources.
 std::optional<GateCheck> whole_of(const CampaignReport& campaign) {
   GateCheck check;
   check.candidate = campaign.candidate;
@@ -188,7 +188,7 @@ Gate properties_gate(const PropertiesReport& report) {
       const Scope scope = {std::string(campaign.law->name), source_of(parts),
                            campaign.lasting_name};
       gate.findings.asked.insert(scope);
-      // A part ends at its first broken case: its other errors are unknown.
+      // A part ends at its first broken case, so that other defects in it are unknown.
       if (gate.checks.back().defects.empty()) gate.findings.complete.insert(scope);
     }
   }

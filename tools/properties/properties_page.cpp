@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// At most this number of cases are on a page, one per law and candidate.
+/// A page has at most this many cases, one for each law and candidate.
 constexpr std::size_t kMostCasesShown = 40;
 
 }  // namespace

@@ -28,7 +28,8 @@ using properties::Finding;
 using properties::Level;
 using properties::Standing;
 
-/// "rays, all of up, distance@3..7, tangency@6,9..12": runs of successively judged severities.
+/// "rays, all of up, distance@3..7, tangency@6,9..12": a range is a run of severities that were
+/// judged one after the other.
 std::string broken_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
@@ -71,7 +72,7 @@ std::string finding_text(const CampaignReport& campaign, bool colours) {
   return std::string(name(campaign.finding));
 }
 
-/// "1000 cases, 1712 comparisons, 3 excused, 12 left out: the scene has no spheres"
+/// "1000 cases, 1712 comparisons, 3 excused; 12 cases left out, last reason: no ray hits a sphere"
 std::string counts_text(const CampaignResult& result) {
   const properties::CaseCounts& counts = result.counts;
   std::string text =
@@ -81,20 +82,26 @@ std::string counts_text(const CampaignResult& result) {
     const std::uint64_t count = result.verdict.count(standing);
     if (count > 0) text += fmt::format(", {} {}", count, name(standing));
   }
+  const auto cases = [](std::int64_t count) {
+    return count_text(static_cast<std::uint64_t>(count), "case");
+  };
   if (counts.given_rays > 0) {
-    text += fmt::format(", {} on raycheck's own rays", counts.given_rays);
+    text += fmt::format("; {} with rays made by raycheck", cases(counts.given_rays));
   }
   if (counts.not_judged > 0) {
-    text += fmt::format(", {} outside its domain not judged", counts.not_judged);
+    text += fmt::format("; {} outside its domain, not judged", cases(counts.not_judged));
   }
-  if (counts.left_out > 0) text += fmt::format(", {} left out: {}", counts.left_out, counts.reason);
+  if (counts.left_out > 0) {
+    text += fmt::format("; {} left out, {}reason: {}", cases(counts.left_out),
+                        counts.left_out == 1 ? "" : "last ", counts.reason);
+  }
   return text;
 }
 
 std::string campaign_text(const CampaignReport& campaign, bool colours) {
   const CampaignResult& result = campaign.result;
   std::string text =
-      fmt::format("{:<16} {:<26} {} on {} ({})\n", campaign.law->name, campaign.candidate,
+      fmt::format("{:<16} {:<26} {} on {} cases ({})\n", campaign.law->name, campaign.candidate,
                   finding_text(campaign, colours), name(result.level), counts_text(result));
   if (campaign.finding != Finding::kTooFewJudged) return text;
   return text + fmt::format("    {}\n", too_few_text(result));
@@ -104,7 +111,8 @@ void add_law(const CampaignReport& campaign, std::string& laws) {
   laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
 }
 
-/// A line for each reason: "  frame, look-at, up: the candidate does not implement frame()".
+/// The laws that were left out, one line for each reason: "  frame, look-at, up: the candidate does
+/// not implement frame()".
 std::string left_out_text(const PropertiesReport& report) {
   struct LeftOut {
     std::string_view candidate, reason;
@@ -131,8 +139,8 @@ std::string left_out_text(const PropertiesReport& report) {
   return text;
 }
 
-/// Why laws are broken: the cause of each, the one that explains most answers first, and the laws
-/// without a known cause: "rows are upside down (20 of 20 wrong answers)" if that explains all.
+/// Why laws are broken: "rows are upside down (20 of 20 wrong answers)". The cause that explains
+/// most answers comes first, and the laws without a known cause last.
 std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   struct Cause {
     const properties::Explanation* best;
@@ -159,14 +167,15 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   const bool is_all = causes.size() == 1 && unexplained.empty();
   std::string text;
   for (const auto& [best, laws] : causes) {
-    text += fmt::format("{}{} ({}{} of {} wrong answers)", text.empty() ? "" : "; ", best->sentence,
-                        is_all ? "" : laws + ": ", best->explained, best->errors);
+    text += fmt::format("{}{} (explains {}{})", text.empty() ? "" : "; ", best->sentence,
+                        wrong_share_text(best->explained, best->errors, "answers"),
+                        is_all ? "" : " of " + laws);
   }
   return text + (unexplained.empty() ? "" : "; unexplained: " + unexplained);
 }
 
-/// The summary of an external candidate's campaigns: the mistakes that explain most errors, or the
-/// level up to which it is right, if that is known.
+/// The summary of an external candidate's campaigns: the mistakes that explain most errors and, if
+/// known, the level up to which it is right.
 std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
   std::optional<Level> broken, held;
   std::vector<const CampaignReport*> all_broken;
@@ -192,10 +201,11 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
     }
   }
   if (!held && !failure.empty()) return fmt::format("gives no answers: {}", failure);
-  if (!broken && !open.empty()) return fmt::format("nothing broken, but undecided: {}", open);
+  if (!broken && !open.empty())
+    return fmt::format("no law is broken, but these are undecided or too rarely judged: {}", open);
   if (!broken && !held) {
     return is_outside ? "nothing judged: no case lies within the lengths that it declares"
-                      : "nothing judged: it implements no function that these laws test";
+                      : "nothing judged: it has no function that these laws test";
   }
   if (!broken) return fmt::format("right on all {} cases that were tried", name(*held));
   const std::string right =
@@ -206,7 +216,8 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   return right + causes_text(all_broken);
 }
 
-/// The cases of the corpus that still break their law, those that no longer do, and their numbers.
+/// The cases of the corpus that still break their law, the cases that no longer do, and their
+/// numbers.
 std::string corpus_text(const PropertiesReport& report) {
   std::string text;
   std::set<std::string> files;
@@ -218,14 +229,15 @@ std::string corpus_text(const PropertiesReport& report) {
     mended += one.is_mended() ? 1 : 0;
     if (!breaks && !one.is_mended()) continue;
     text += fmt::format("{} {} {} with {}{}\n", one.file, breaks ? "breaks" : "no longer breaks",
-                        one.law, one.candidate, breaks ? "" : ": mended");
+                        one.law, one.candidate, breaks ? "" : ": fixed");
   }
   if (files.empty()) return "";
-  return text + fmt::format("corpus: {}, {} broken, {} mended\n", count_text(files.size(), "case"),
+  return text + fmt::format("corpus: {}, {} broken, {} fixed\n", count_text(files.size(), "case"),
                             broken, mended);
 }
 
-/// The number of cases that filled a time; for each source the most that a law was tried on.
+/// The number of cases that filled a time, and for each source the largest number on which a law
+/// was tried.
 std::string time_text(const PropertiesReport& report) {
   if (report.time.empty()) return "";
   std::vector<std::pair<std::string_view, std::int64_t>> sources;
@@ -248,6 +260,11 @@ std::string time_text(const PropertiesReport& report) {
   return text + "\n";
 }
 
+/// The name that a candidate declares, in parentheses.
+std::string own_name_text(const std::string& own) {
+  return own.empty() ? "" : fmt::format(" ({})", own);
+}
+
 /// A line about each external candidate, if several laws were tried.
 std::string first_sentences(const PropertiesReport& report) {
   std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
@@ -258,8 +275,7 @@ std::string first_sentences(const PropertiesReport& report) {
   for (const auto& [candidate, campaigns] : by_candidate) {
     if (campaigns.size() < 2) continue;
     const std::string& own = campaigns.front()->implementation.own_name;
-    text += fmt::format("{}{}: {}\n", candidate, own.empty() ? "" : fmt::format(" ({})", own),
-                        first_sentence(campaigns));
+    text += fmt::format("{}{}: {}\n", candidate, own_name_text(own), first_sentence(campaigns));
   }
   return text;
 }
@@ -277,7 +293,7 @@ std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& resul
 }
 
 std::string replay_text(const CampaignReport& campaign, const std::string& replay) {
-  // To replay an external implementation the command must name it, and how a renderer is judged.
+  // To replay an external implementation, the command must name it and how a renderer is judged.
   if (campaign.implementation.methods)
     return fmt::format("raycheck properties --replay {}", replay);
   return fmt::format("raycheck properties --candidate {}{} --replay {}",
@@ -287,7 +303,8 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
 
 namespace {
 
-/// The end of a range about a value with few digits: inside, and at least 9/10 as far from it.
+/// The end of a range about a value, rounded to few digits: inside the range, and at least 9/10 as
+/// far from the value.
 std::string end_text(double end, double value) {
   const double least = 0.9 * std::abs(end - value);
   for (int digits = 4; digits < 17; ++digits) {
@@ -298,7 +315,7 @@ std::string end_text(double end, double value) {
   return scene::shortest(end);
 }
 
-/// "sphere 0 radius: any in [0.25, 0.5] breaks it too (by 84 samples)"
+/// "sphere 0 radius: every value tried in [0.25, 0.5] breaks the law, too (84 tried)"
 std::string range_text(const properties::NumberRange& range) {
   const auto span_text = [&](const properties::Span& span) {
     return fmt::format("[{}, {}]", end_text(span.least, range.value),
@@ -307,16 +324,17 @@ std::string range_text(const properties::NumberRange& range) {
   const std::string span = span_text(range.span);
   const std::string certified = range.certified ? span_text(*range.certified) : "";
   const bool is_whole = certified == span;  // as far as its digits show
-  return fmt::format("{}: any {} breaks it too ({}{})\n", range.name,
-                     range.is_any ? "valid number" : "in " + span,
-                     is_whole ? "certified" : fmt::format("by {} samples", range.samples),
-                     certified.empty() || is_whole ? "" : "; certified in " + certified);
+  return fmt::format("{}: every {}{} breaks the law, too ({}{})\n", range.name,
+                     range.is_any ? "valid number" : "value",
+                     (is_whole ? "" : " tried") + (range.is_any ? "" : " in " + span),
+                     is_whole ? "certified" : fmt::format("{} tried", range.samples),
+                     certified.empty() || is_whole ? "" : "; certified for all in " + certified);
 }
 
-/// A number whose range has at most 2^kNarrowBits ulps matters to its last digits.
+/// If a number's range has at most 2^kNarrowBits ulps, its last digits matter.
 constexpr int kNarrowBits = 10;
 
-/// A line for each number that may be another, and one for those that matter to their last digits.
+/// A line for each number that may vary, and one line for the numbers whose last digits matter.
 std::string ranges_text(const properties::Ranges& ranges, scene::Precision precision) {
   const double narrow = std::ldexp(1, kNarrowBits - scene::format_of(precision).digits);
   std::string text, exact;
@@ -328,31 +346,34 @@ std::string ranges_text(const properties::Ranges& ranges, scene::Precision preci
       exact += (exact.empty() ? "" : ", ") + range.name;
     }
   }
-  if (!exact.empty()) text += fmt::format("matters to the last digits: {}\n", exact);
+  if (!exact.empty()) text += fmt::format("the last digits of these matter: {}\n", exact);
   if (ranges.not_tried > 0) {
-    text += fmt::format("{} not tried\n", count_text(ranges.not_tried, "more number"));
+    text += fmt::format("{} not varied\n", count_text(ranges.not_tried, "more number"));
   }
-  return text.empty() ? text : "its numbers, varied one at a time:\n" + indented(text, "  ");
+  return text.empty() ? text : "the case's numbers, varied one at a time:\n" + indented(text, "  ");
 }
 
 }  // namespace
 
 std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
                          bool colours) {
+  const std::vector<properties::Discrepancy> worst = failure.verdict.worst(1);
   const std::string discrepancies =
-      scene::joined(failure.verdict.worst(1), "",
-                    [&](const auto& one) { return discrepancy_text(one, colours); });
-  const bool draws = campaign.implementation.draws();
+      scene::joined(worst, "", [&](const auto& one) { return discrepancy_text(one, colours); });
+  std::string causes = explanations_text(campaign.explanations,
+                                         campaign.implementation.draws() ? "pixels" : "answers");
+  if (!worst.empty() && worst.front().wrong == properties::Wrong::kFailed) {
+    causes = indented(causes, "on cases that it answers: ");
+  }
   const std::string reason = fmt::format(
       "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
       campaign.law->name, campaign.candidate,
       failure.tries > 0 ? fmt::format("\nshrunk for {} tries; smaller may exist", failure.tries)
                         : "");
   return broken_law_text(
-      campaign.law->sentence, discrepancies,
-      explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
+      campaign.law->sentence, discrepancies, causes,
       failure.replay.empty() ? "none: found by climbing" : replay_text(campaign, failure.replay),
-      properties::scene_text(failure.shrunk, reason));
+      properties::scene_text(failure.shrunk, reason), failure.is_shrunk);
 }
 
 std::string failure_text(const CampaignReport& campaign, bool colours) {
@@ -361,7 +382,10 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   std::string text;
   if (result.parts.size() > 1 && !failure.is_undecided) {
     const std::string broken = broken_text(result);
-    if (!broken.empty()) text += fmt::format("broken on {}\n", broken);
+    if (!broken.empty()) {
+      text += fmt::format("broken on {}{}\n", broken,
+                          broken.find('@') == std::string::npos ? "" : " (source@severity)");
+    }
     const std::string holding = holding_text(result);
     if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
   }
@@ -372,15 +396,17 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
 std::string too_few_text(const CampaignResult& result) {
   const auto [quantity, question] = *result.too_few_right();
   return fmt::format(
-      "{}: fewer than {} answers are right without an excuse where \"{}\" is expected",
-      info(quantity).name, result.fewest_right, name(question));
+      "{}: fewer than {} of the {} are answered right without an excuse; "
+      "try more --cases",
+      info(quantity).name, result.fewest_right, expected_text(question));
 }
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
   std::string text = first_sentences(report) + corpus_text(report);
   for (const BorrowedBounds& bounds : report.borrowed) {
-    text += fmt::format("{} documents no bounds: judged by those of {} (--bounds)\n",
-                        bounds.candidate, bounds.methods);
+    text +=
+        fmt::format("{} states no error bounds, so those of {} apply; --bounds chooses others\n",
+                    bounds.candidate, bounds.methods);
   }
   for (const CampaignReport& campaign : report.campaigns) {
     if (campaign.finding == Finding::kLeftOut) continue;
@@ -400,11 +426,13 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   }
   text += left_out_text(report);
   if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
-  text += fmt::format("{}, {} broken", count_text(report.campaigns.size(), "campaign"),
-                      report.failures());
-  for (const Finding finding : {Finding::kUndecided, Finding::kTooFewJudged, Finding::kNotJudged}) {
+  text += fmt::format("laws: {} broken", report.failures());
+  for (const Finding finding : {Finding::kUndecided, Finding::kTooFewJudged, Finding::kNotJudged,
+                                Finding::kHolds, Finding::kLeftOut}) {
     const std::uint64_t count = report.count(finding);
-    if (count > 0) text += fmt::format(", {} {}", count, name(finding));
+    if (count == 0) continue;
+    text += fmt::format(", {} {}", count,
+                        finding == Finding::kHolds && count > 1 ? "hold" : name(finding));
   }
   text += "\n" + time_text(report);
   return report.ratchet ? text + ratchet_text(*report.ratchet) : text;

@@ -19,7 +19,7 @@ using properties::Quantity;
 using reference::Bracket;
 using reference::Dyadic;
 
-/// Integers up to this are written as JSON numbers, which every reader reads exactly.
+/// Integers up to this are written as JSON numbers, which every parser reads exactly.
 constexpr std::int64_t kLargestPlainInteger = std::int64_t{1} << 53;
 
 Json integer_json(const std::string& digits) {
@@ -47,7 +47,7 @@ Json json_of(const std::vector<double>& numbers) {
   return list;
 }
 
-/// A picture may show a sphere of unknown number.
+/// The answer of a picture that does not show which sphere it is.
 constexpr const char* kSomeSphere = "a sphere";
 
 Json got_json(const Discrepancy& d) {
@@ -78,7 +78,7 @@ Json camera_json(const scene::Camera& camera, bool axes_only) {
   return json;
 }
 
-/// The spheres of the scene that a proof is about.
+/// The spheres of the scene that a proof involves.
 std::vector<scene::Sphere> spheres_of(const scene::Scene& scene, const Discrepancy& d) {
   if (d.quantity == Quantity::kNearestSphere) return scene.spheres;
   if (!d.place.sphere) return {};
@@ -157,7 +157,7 @@ reference::Proposition proposition_of(const Discrepancy& d,
   return wanted;
 }
 
-/// Brackets of the lengths of vectors in the answer itself.
+/// Brackets of the lengths of vectors in the answer.
 Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres) {
   Json json = Json::array();
   if (!are_finite(d.got)) return json;
@@ -177,7 +177,7 @@ Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres)
   return json;
 }
 
-/// Why no proof is attempted; empty if one is.
+/// Why no proof is attempted; empty if a proof is attempted.
 std::string not_provable(const Discrepancy& d, bool from_camera) {
   const properties::Law* law = properties::find_law(d.law);
   if (d.quantity == Quantity::kRefusal) return "no value is stated";
@@ -205,7 +205,8 @@ Json neighbourhood_json(const Discrepancy& d) {
 constexpr const char* kTie =
     "a value is 0, or equal to another, because square roots cancel: brackets cannot prove it";
 
-/// Adds the inputs and their proof; returns the reason if there is no proof, else empty.
+/// Adds the inputs and the proof. If there is no proof, returns the reason; otherwise an empty
+/// text.
 std::string add_proof(const scene::Scene& scene, const scene::Conventions& conventions,
                       const Discrepancy& d, Json& json) {
   if (!conventions.valid.is_usual()) return "proofs do not cover t_min, t_max or culling";

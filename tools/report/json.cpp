@@ -16,8 +16,8 @@ using properties::Tally;
 
 namespace {
 
-/// JSON escapes ASCII control characters itself, but not DEL, C1, or those of the writing
-/// direction.
+/// The JSON library escapes ASCII control characters, but not DEL, C1 and characters that change
+/// the writing direction.
 std::string spelled(const Json& json, int indent) {
   const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string without_delete;

@@ -29,7 +29,7 @@ OutputFile::OutputFile(std::string named_by, std::string path)
     if (!fs::is_regular_file(status)) refuse("the path exists and is not a regular file");
     if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
   }
-  // In containers every process may be number 1.
+  // The process id is not enough, because in containers every process may have the id 1.
   const std::string beside =
       fmt::format("{}.{}.{:08x}.part", path_, getpid(), std::random_device()());
   errno = 0;

@@ -8,7 +8,7 @@ namespace raycheck::tools {
 namespace {
 
 constexpr int kQuickly = 1;  ///< zlib's level
-/// A deflated byte expands to at most this number of bytes.
+/// A deflated byte expands to at most this many bytes.
 constexpr std::size_t kMostGrowth = 1032;
 
 }  // namespace

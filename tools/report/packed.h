@@ -5,9 +5,9 @@
 
 namespace raycheck::tools {
 
-/// Compressed by zlib, quickly.
+/// The text compressed by zlib at its fastest level.
 std::string packed(const std::string& text);
-/// The text of that size; empty if the bytes are invalid, by zlib's check.
+/// The text, of this size; empty if zlib finds the bytes invalid.
 std::string unpacked(const std::string& bytes, std::size_t size);
 
 }  // namespace raycheck::tools

@@ -29,8 +29,8 @@ class PpmEncoder : public PictureEncoder {
   OutputFile& file_;
 };
 
-/// libpng leaves a failed call by longjmp; nothing with a destructor may live between guarded() and
-/// such a call.
+/// libpng leaves a failed call by longjmp. No object with a destructor may exist between guarded()
+/// and such a call.
 class PngEncoder : public PictureEncoder {
  public:
   explicit PngEncoder(OutputFile& file) : file_(file) {
@@ -95,8 +95,8 @@ class PngEncoder : public PictureEncoder {
   OutputFile& file_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  std::exception_ptr failure_;  ///< Of the file.
-  std::string message_;         ///< Of libpng.
+  std::exception_ptr failure_;  ///< The failure of the file.
+  std::string message_;         ///< The message of libpng.
 };
 
 std::unique_ptr<PictureEncoder> encoder_for(const std::string& option, const std::string& path,
@@ -153,7 +153,7 @@ void require_size(std::int64_t width, std::int64_t height, std::int64_t most) {
   }
 }
 
-/// The words of a PPM; a comment goes from # to the end of its line.
+/// The words of a PPM. A comment goes from # to the end of its line.
 class PpmWords {
  public:
   explicit PpmWords(std::string_view text) : rest_(text) {}
@@ -162,11 +162,12 @@ class PpmWords {
     skip();
     std::int64_t value = 0;
     const auto [at, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc()) throw PictureError("its PPM lacks a number, or ends too early");
+    if (error != std::errc())
+      throw PictureError("its PPM has a word that is not a number, or ends too early");
     rest_.remove_prefix(static_cast<std::size_t>(at - rest_.data()));
     return value;
   }
-  /// The bytes after the single space that ends the last word.
+  /// The bytes after the one space that ends the last word.
   std::string_view bytes() const { return rest_.substr(rest_.empty() ? 0 : 1); }
 
  private:
@@ -229,7 +230,7 @@ ReadPicture read_png(std::string_view bytes, std::int64_t most,
                      const std::optional<PictureSize>& wanted) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.flags = PNG_IMAGE_FLAG_16BIT_sRGB;  // what renderers mean, not linear light
+  image.flags = PNG_IMAGE_FLAG_16BIT_sRGB;  // renderers write sRGB, not linear light
   const auto require = [&](int done) {
     if (done == 0) {
       const std::string why = image.message;

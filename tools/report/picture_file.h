@@ -19,7 +19,7 @@ struct Colour {
 };
 static_assert(sizeof(Colour) == 3, "pixels are written as laid out in memory");
 
-/// The most pixels of a picture across, and down: libpng's limit.
+/// A picture has at most this many pixels across, and down: libpng's limit.
 inline constexpr std::int64_t kMostPictureSide = 1'000'000;
 
 class PictureEncoder {
@@ -30,18 +30,19 @@ class PictureEncoder {
   virtual void finish() = 0;
 };
 
-/// A picture named by an option, written line by line, the top one first: PNG or PPM (P6), by its
-/// file extension. Like an OutputFile it appears completely or not at all.
+/// A picture file that an option names, written line by line from the top: PNG or PPM (P6), by its
+/// extension. Like an OutputFile, it appears completely or not at all.
 /// Error: functions throw std::runtime_error if the picture cannot be written.
 class PictureFile {
  public:
-  /// Throws std::invalid_argument naming the option if the extension is another; and as OutputFile.
+  /// Throws std::invalid_argument naming the option if it has another extension, and what
+  /// OutputFile throws.
   PictureFile(std::string option, std::string path);
 
   const std::string& path() const { return path_; }
   /// Domain: no side above kMostPictureSide.
   void start(std::int64_t width, std::int64_t height);
-  /// The next lines; all of them together are the picture.
+  /// Adds the next lines. All lines together must be the picture.
   void add(std::span<const Colour> lines);
   void place();
 
@@ -52,7 +53,7 @@ class PictureFile {
   std::size_t width_ = 0;
 };
 
-/// The bytes of a PNG file; the first line of pixels is the top one.
+/// The bytes of a PNG file. The first line of pixels is the top line.
 /// Domain: width x height pixels, at least one, no side above kMostPictureSide.
 /// Error: std::runtime_error with what libpng says.
 std::string png_bytes(std::int64_t width, std::int64_t height, std::span<const Colour> pixels);
@@ -61,7 +62,7 @@ struct PictureSize {
   std::int64_t width = 0, height = 0;
 };
 
-/// A picture in memory, the top line first.
+/// A picture in memory, from the top line on.
 struct ReadPicture {
   std::int64_t width = 0, height = 0;
   std::vector<Colour> pixels;  ///< Empty if only the header was wanted.
@@ -70,15 +71,15 @@ struct ReadPicture {
   }
 };
 
-/// Bytes that are not a picture, or one that is too large; what() says why.
+/// The bytes are not a picture, or the picture is too large; what() gives the reason.
 class PictureError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a PPM (P3 or P6, with comments; channels of any maximum are brought to 255) or a PNG.
-/// Pictures of more than `most` pixels are errors. `wanted`: only the header is read of a
-/// picture of another size.
+/// Reads a PPM (P3 or P6, with comments; channels are scaled from any maximum to 255) or a PNG. A
+/// picture of more than `most` pixels is an error. If `wanted` is given and the picture has another
+/// size, only its header is read.
 ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
                           const std::optional<PictureSize>& wanted = {});
 

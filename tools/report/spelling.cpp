@@ -15,11 +15,12 @@ namespace raycheck::tools {
 
 namespace {
 
-/// Including their East Asian full-width forms, which spreadsheets accept, too.
+/// The characters that begin a formula, with their East Asian full-width forms, which spreadsheets
+/// accept, too.
 constexpr std::array<std::string_view, 11> kFormulasBegin = {
     "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
 
-/// In tables: no value.
+/// The text in tables if there is no value.
 constexpr std::string_view kNone = "-";
 
 bool is_formula(std::string_view text) {

@@ -11,16 +11,16 @@ enum class Markup { kPlain, kMarkdown };
 /// A table of a report, printed as aligned text or as Markdown.
 class Table {
  public:
-  /// Of columns with these headings; one that begins with ">" has its cells on the right.
+  /// A table with these headings. If a heading begins with ">", its column is aligned to the right.
   explicit Table(const std::vector<std::string>& headings);
-  /// One cell per column.
+  /// Adds a row with one cell per column.
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   bool empty() const { return rows_.empty(); }
 
-  /// Lines indented by `indent`, columns two spaces apart.
+  /// The table as lines that begin with `indent`, with two spaces between columns.
   std::string text(std::string_view indent = "  ") const;
   std::string markdown() const;
-  /// Under a heading, with empty lines around it.
+  /// The table under a heading, with empty lines around it.
   std::string section(std::string_view heading, Markup markup) const;
 
  private:

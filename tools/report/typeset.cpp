@@ -15,7 +15,7 @@ constexpr std::string_view kMinus = "<mo>&#x2212;</mo>", kPlus = "<mo>+</mo>",
                            kTimes = "<mo>&#x2062;</mo>", kDot = "<mo>&#x22c5;</mo>",
                            kOpen = "<mo>(</mo>", kClose = "<mo>)</mo>", kComma = "<mo>,</mo>";
 
-/// Parts set side by side: numbers, roots, fractions, signs.
+/// Parts that are set side by side: numbers, roots, fractions, signs.
 using Row = std::vector<std::string>;
 
 std::string row(const Row& parts) {
@@ -29,7 +29,7 @@ std::string natural(const ClosedForm::Natural& n) {
   return row({fmt::format("<mn>{}</mn>", n.odd), std::string(kDot), power});
 }
 
-/// Without its sign. Roots stand in the numerator.
+/// A term without its sign. Roots are in the numerator.
 std::string unsigned_term(const ClosedForm::Term& term) {
   Row factors;
   const auto times = [&](const std::string& factor) {

@@ -7,11 +7,11 @@
 
 namespace raycheck::tools {
 
-/// A closed form as a single MathML Core element, to be put into a <math>, in ASCII; its terms in
-/// the order of its text. A short odd number times a power of two is written as that product if the
-/// form says so.
+/// A closed form as one MathML Core element, in ASCII, for use in a <math>. Its terms are in the
+/// order of its text. A short odd number times a power of two is written as a product if the form
+/// says so.
 std::string mathml(const reference::ClosedForm& form);
-/// The coordinates in parentheses; a single form without.
+/// Several forms as coordinates in parentheses; one form without parentheses.
 /// Domain: at least one form.
 std::string mathml(std::span<const reference::ClosedForm> forms);
 

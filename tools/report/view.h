@@ -5,15 +5,9 @@
 
 namespace raycheck::tools {
 
-/// Where a view is shown.
+/// How a view is shown.
 struct ViewOptions {
-  bool colours = false;  ///< For a terminal.
-};
-
-/// Active content in a text.
-enum class ViewKind {
-  kText,      ///< Nothing.
-  kCommands,  ///< Lines that GitHub's workflow log interprets.
+  bool colours = false;  ///< Whether to use colours, for a terminal.
 };
 
 /// A format of a command's report: its name for --format, and its writer. A room's views are in a

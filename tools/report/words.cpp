@@ -19,13 +19,13 @@ using properties::Excuse;
 using properties::ExcuseKind;
 using properties::Standing;
 
-/// Errors are upper bounds: smaller ones are shown as below this; the true error may be 0.
+/// Errors are upper bounds, and the true error may be 0. Smaller bounds are shown as "below" this.
 constexpr double kSmallestShown = 1e-9;
 
-/// Changes of the inputs are counted in u up to this many.
+/// Changes of the inputs up to this many u are shown in u.
 constexpr double kMostRoundoffs = 1e6;
 
-/// The most changed inputs of a witness that are named, the most changed first.
+/// At most this many changed inputs of a witness are named, the most changed first.
 constexpr std::size_t kMostNamed = 3;
 
 std::string witness_text(const Discrepancy& d) {
@@ -40,8 +40,9 @@ std::string witness_text(const Discrepancy& d) {
   std::string text;
   for (std::size_t k = 0; k < std::min(changed.size(), kMostNamed); ++k) {
     const double share = change[changed[k]];
-    text += fmt::format("{}{} * (1 {} {})", k == 0 ? "right for " : ", ", input_name(d, changed[k]),
-                        share < 0 ? '-' : '+', change_text(std::abs(share), d.precision));
+    text += fmt::format("{}{} * (1 {} {})", k == 0 ? "the answer is right for " : ", ",
+                        input_name(d, changed[k]), share < 0 ? '-' : '+',
+                        change_text(std::abs(share), d.precision));
   }
   if (changed.size() > kMostNamed) {
     text += fmt::format(" and {} changed", count_text(changed.size() - kMostNamed, "other input"));
@@ -109,12 +110,17 @@ std::string not_needed_text(const std::vector<std::string>& not_needed) {
   return fmt::format("not needed here: {}\n", fmt::join(not_needed, ", "));
 }
 
+std::string wrong_share_text(std::uint64_t explained, std::uint64_t errors,
+                             std::string_view answers) {
+  if (errors == 1) return fmt::format("the one wrong {}", answers.substr(0, answers.size() - 1));
+  return explained == errors ? fmt::format("all {} wrong {}", errors, answers)
+                             : fmt::format("{} of {} wrong {}", explained, errors, answers);
+}
+
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
                            std::string_view answers) {
-  const bool is_formula =
-      sentence != properties::kNotNumbers && sentence != properties::kKeepsState;
-  return fmt::format("{}: {}{} of {} wrong {}", sentence, is_formula ? "explains " : "", explained,
-                     errors, answers);
+  return fmt::format("{}; this explains {}", sentence,
+                     wrong_share_text(explained, errors, answers));
 }
 
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
@@ -137,7 +143,7 @@ std::string interval_text(const scene::ValidRoots& valid) {
 }
 
 std::string valid_roots_text(const scene::ValidRoots& valid) {
-  std::string text = "t in " + interval_text(valid);
+  std::string text = "s in " + interval_text(valid);
   if (valid.culling != scene::Culling::kNone) {
     text += fmt::format(", culling {}", name(valid.culling));
   }
@@ -204,17 +210,17 @@ std::string excuse_text(const Discrepancy& d) {
   switch (excuse.kind) {
     case ExcuseKind::kUndecided:
       return fmt::format(
-          "neither proved nor refuted: right for inputs that are changed by at most {}",
+          "it is neither proved nor refuted that the answer is right for inputs changed by {}",
           change_text(excuse.amount, d.precision));
     case ExcuseKind::kWitness:
       return witness_text(d);
     case ExcuseKind::kThreshold:
       return fmt::format("the exact s is at most the threshold {:g}", excuse.amount);
     case ExcuseKind::kIllConditioned:
-      return fmt::format("ill-conditioned: the condition number {} allows the error",
+      return fmt::format("ill-conditioned: the condition number {} allows this error",
                          error_text(excuse.amount));
     case ExcuseKind::kOutsideDomain:
-      return "outside the method's stated domain";
+      return "the scene lies outside the candidate's domain";
     default:
       return {};
   }
@@ -222,7 +228,7 @@ std::string excuse_text(const Discrepancy& d) {
 
 namespace {
 
-/// Which question failed, as a clause; empty if that is unknown.
+/// The question that failed, as a clause; empty if it is unknown.
 std::string failed_place_text(const Discrepancy& d) {
   switch (d.failed.blame) {
     case properties::Blame::kQuestion:
@@ -231,7 +237,7 @@ std::string failed_place_text(const Discrepancy& d) {
       return fmt::format(", one of {} from {} on", count_text(d.failed.count, "question"),
                          place_text(d.place));
     case properties::Blame::kTogether:
-      return fmt::format(", {} from {} on, which are answered if asked in parts",
+      return fmt::format(", {} from {} on: in smaller batches all are answered",
                          count_text(d.failed.count, "question"), place_text(d.place));
     default:
       return {};
@@ -242,13 +248,24 @@ std::string failed_place_text(const Discrepancy& d) {
 
 std::string wrongness_text(const Discrepancy& d) {
   if (d.wrong != properties::Wrong::kNot) return std::string(name(d.wrong));
+  if (std::isinf(d.error)) {
+    const bool is_finite = std::ranges::all_of(d.got, [](double x) { return std::isfinite(x); });
+    if (!is_finite) return "NaN or infinite";
+    if (d.quantity == properties::Quantity::kOrthonormality) return "not right-handed";
+  }
   return fmt::format("off by {} {}", error_text(d.error), unit_name(d.quantity, d.precision));
 }
 
 std::string discrepancy_head(const Discrepancy& d) {
-  std::string head(info(d.quantity).name);
+  if (d.wrong == properties::Wrong::kFailed) {
+    return fmt::format("no answer{}: {}", failed_place_text(d), d.what);
+  }
+  if (d.wrong == properties::Wrong::kRefused) return "refused: " + d.what;
+  if (d.wrong == properties::Wrong::kAnswered) return "invalid input was answered: " + d.what;
+  // Laws that relate answers share a quantity.
+  const bool is_related = d.quantity == properties::Quantity::kInvariance && !d.law.empty();
+  std::string head(is_related ? std::string_view(d.law) : info(d.quantity).name);
   if (has_place(d.quantity)) head += ", " + place_text(d.place);
-  head += failed_place_text(d);
   if (!d.what.empty()) head += fmt::format(", {}", d.what);
   return head + ": " + wrongness_text(d);
 }
@@ -261,16 +278,20 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
   if (is_answer || !d.exact.empty()) {
     text += fmt::format("  got   {}\n", got_text(d));
     if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
-      // Related answers are compared with each other.
-      const bool is_related = d.quantity == properties::Quantity::kInvariance;
-      text += fmt::format("  {} {}\n", is_related ? "other" : "exact", exact_text(d));
+      // Related answers are compared with each other, unless `what` names two.
+      const bool is_related = d.quantity == properties::Quantity::kInvariance && !d.symbol.empty();
+      text += fmt::format("  {} {}\n", is_related ? "expected" : "exact", exact_text(d));
     }
   }
   if (d.excluded_by) {
-    text += fmt::format("  answers s = {}, which the interval {} excludes\n",
+    text += fmt::format("  the answer s = {} lies outside the interval {}\n",
                         scene::shortest(d.got.front()), interval_text(*d.excluded_by));
   }
-  if (d.condition) text += fmt::format("  condition number about {}\n", error_text(d.condition));
+  if (d.condition) {
+    const bool is_small = *d.condition > 0 && *d.condition < kSmallestShown;
+    text += is_small ? fmt::format("  condition number below {:.0e}\n", kSmallestShown)
+                     : fmt::format("  condition number about {}\n", error_text(d.condition));
+  }
   if (d.excuse.standing() != Standing::kDefect) {
     text += fmt::format("  {}: {}\n", name(d.excuse.standing()), excuse_text(d));
   }
@@ -291,10 +312,11 @@ std::string shell_word(const std::string& word) {
 
 std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,
                             std::string_view causes, std::string_view replay,
-                            std::string_view scene) {
+                            std::string_view scene, bool is_shrunk) {
   std::string text = fmt::format("the law: {}\n{}{}", sentence, discrepancy, causes);
   if (!replay.empty()) text += fmt::format("replay: {}\n", replay);
-  return text + "the shrunk case, as a scene for `raycheck check`:\n" + indented(scene, "  ");
+  return text + fmt::format("the {} case, as a scene for `raycheck check`:\n{}",
+                            is_shrunk ? "shrunk" : "failing", indented(scene, "  "));
 }
 
 std::string decided_by_text(const reference::DecidedBy& decided_by) {
@@ -304,8 +326,22 @@ std::string decided_by_text(const reference::DecidedBy& decided_by) {
     stages +=
         fmt::format("{}{} by {}", stages.empty() ? "" : ", ", decided_by.stages[k], kStageNames[k]);
   }
-  return fmt::format("{} by the filter, {} exactly{}", decided_by.filter, decided_by.fallback(),
-                     stages.empty() ? "" : " (" + stages + ")");
+  return fmt::format("{} by certified doubles, {} by exact arithmetic{}", decided_by.filter,
+                     decided_by.fallback(), stages.empty() ? "" : " (" + stages + ")");
+}
+
+std::string expected_text(properties::Expected expected) {
+  constexpr std::array<std::string_view, properties::kExpectedCount> kQuestions = {
+      "rays that hit",
+      "rays that miss",
+      "hits at the smaller root",
+      "hits at the larger root",
+      "rays that meet several spheres",
+      "rays that meet one sphere",
+      "rays that meet no sphere",
+      "invalid inputs",
+      "values"};
+  return std::string(kQuestions[static_cast<std::size_t>(expected)]);
 }
 
 std::string indented(std::string_view lines, std::string_view indent) {

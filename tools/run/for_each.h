@@ -13,7 +13,8 @@
 
 namespace raycheck::tools {
 
-/// On the threads of `control`, which must outlive it. Throws scene::Interrupted on an interrupt.
+/// A loop that runs on the threads of `control`, which must outlive it. It throws
+/// scene::Interrupted on an interrupt.
 inline scene::ForEach for_each_on(const properties::RunControl& control) {
   return [&control](std::size_t count, const std::function<void(std::size_t)>& body) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,

@@ -13,10 +13,10 @@
 
 namespace raycheck::tools {
 
-/// Calls make(k) for every k in [0, count) on the threads of `control`, and take(result)
-/// sequentially in the order of k, so that the outcome does not depend on the number of threads;
-/// few results are held at a time. Stops early on an interrupt, also inside make(), whose result is
-/// then not taken. Other exceptions of make and take pass through.
+/// Calls make(k) for every k in [0, count) on the threads of `control`, and take(result) one after
+/// the other in the order of k, so that the outcome does not depend on the number of threads. Only
+/// a few results are in memory at a time. Stops early on an interrupt; if that occurs inside
+/// make(), its result is not taken. Other exceptions of make and take pass through.
 template <class Result, class Make, class Take>
 void in_order(std::int64_t count, const properties::RunControl& control, const Make& make,
               const Take& take) {

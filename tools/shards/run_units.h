@@ -22,14 +22,15 @@
 
 namespace raycheck::tools {
 
-/// A result as bytes: the same on every machine, exact for doubles.
+/// A result as bytes, which are the same on every machine and exact for doubles.
 template <class Result>
 std::string to_bytes(const Result& result) {
   UnitWriter archive;
   archive(result);
   return std::move(archive.bytes);
 }
-/// Errors: std::invalid_argument if the bytes are not those of a result.
+/// The result from its bytes.
+/// Errors: std::invalid_argument if the bytes are invalid.
 template <class Result>
 Result from_bytes(std::string_view bytes) {
   Result result;
@@ -39,9 +40,9 @@ Result from_bytes(std::string_view bytes) {
   return result;
 }
 
-/// Runs a campaign's units in order, as in_order(). With `units`: computes only the missing units
-/// of the shard and stores their results; take() gets all results, or is not called if the shard is
-/// not the whole campaign.
+/// Runs a campaign's units in order, like in_order(). If `units` is given, computes only the
+/// shard's missing units and stores their results; take() then gets all results, or is not called
+/// if the shard is not the whole campaign.
 /// Domain: a result depends only on its unit.
 template <class Result, class Make, class Take>
 void run_units(std::int64_t count, Units* units, const properties::RunControl& control,

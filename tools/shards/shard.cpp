@@ -13,11 +13,12 @@
 namespace raycheck::tools {
 namespace {
 
-/// The environment variables of a scheduler that hold a worker's index and count; null: none.
+/// The environment variables in which a scheduler gives a worker's index and the number of workers,
+/// or null.
 struct Scheduler {
   const char* index;
   const char* count;
-  std::int64_t least = 0;  ///< The least index, if `first` is null.
+  std::int64_t least = 0;  ///< The smallest index if `first` is null.
   const char* first = nullptr;
   const char* step = nullptr;
 };
@@ -43,8 +44,8 @@ std::optional<std::int64_t> variable(const char* name) {
   return number_of(name, "", text);
 }
 
-/// The shard that a scheduler sets; empty if its variables are not set. `of`: the count from
-/// --shard, if given.
+/// The shard that a scheduler sets; empty if its variables are not set. `of`: the number of shards
+/// in --shard, if given.
 std::optional<Shard> shard_of(const Scheduler& scheduler, std::optional<std::int64_t> of) {
   const std::optional<std::int64_t> index = variable(scheduler.index);
   if (!index) return std::nullopt;

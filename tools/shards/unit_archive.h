@@ -1,7 +1,8 @@
 #pragma once
 
 // Results of units as bytes: little-endian numbers one after the other; a list is preceded by its
-// length. Input is not trusted: lengths above the bytes left and invalid enumerators are errors.
+// length. Input is not trusted: a length above the number of bytes left and an invalid enumerator
+// are errors.
 
 #include <algorithm>
 #include <bit>
@@ -14,23 +15,21 @@
 #include <string_view>
 #include <type_traits>
 
-#include "properties/verdict.h"
+#include "properties/excuse.h"
+#include "properties/quantity.h"
 #include "scene/conventions.h"
 #include "scene/precision.h"
 
 namespace raycheck::tools {
 
-/// The number of enumerators, for each enumeration in results.
+/// The number of enumerators of each enumeration that occurs in results.
 template <class Enum>
 constexpr std::size_t enumerators(Enum value) {
   return names_of(value).size();
 }
 constexpr std::size_t enumerators(scene::Precision) { return scene::kPrecisionNames.size(); }
 constexpr std::size_t enumerators(properties::Quantity) { return properties::kQuantityCount; }
-constexpr std::size_t enumerators(properties::Wrong) { return properties::kWrongCount; }
 constexpr std::size_t enumerators(properties::ExcuseKind) { return properties::kExcuses.size(); }
-constexpr std::size_t enumerators(properties::Outcome) { return properties::kOutcomeCount; }
-constexpr std::size_t enumerators(properties::Blame) { return properties::kBlameNames.size(); }
 
 class UnitWriter : public cereal::OutputArchive<UnitWriter, cereal::AllowEmptyClassElision> {
  public:
@@ -68,7 +67,7 @@ class UnitReader : public cereal::InputArchive<UnitReader, cereal::AllowEmptyCla
     }
     left_.remove_prefix(size);
   }
-  /// Checks a list's length: each element takes at least one byte.
+  /// Checks the length of a list, each element of which takes at least one byte.
   void require(std::uint64_t count) const {
     if (count > left_.size()) throw std::invalid_argument("it ends too early");
   }

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kUnitEnding = ".unit";
-/// The limit for a file in a folder of units.
+/// The limit on the size of a file in a folder of units.
 constexpr std::uintmax_t kMostUnitBytes = std::uintmax_t{256} << 20;
 
 std::string bytes_of(const fs::path& file) {
@@ -43,14 +43,14 @@ std::string bytes_of(const fs::path& file) {
   return bytes;
 }
 
-/// The digest of a unit's file: of a packed result and its size.
+/// The digest in a unit's file, of the packed result and its size.
 std::string digest_of(const std::string& campaign, std::int64_t unit, std::size_t size,
                       const std::string& result) {
   return digest({campaign, std::to_string(unit), std::to_string(size), result});
 }
 
-/// Removes the temporary files of killed workers. A running worker, on any machine, renames its
-/// file at once.
+/// Removes a temporary file if a killed worker left it. Running workers, on any machine, rename
+/// such a file at once.
 void remove_if_abandoned(const fs::path& file) {
   constexpr std::chrono::hours kAbandoned{1};
   const std::string name = file.filename().string();
@@ -61,7 +61,7 @@ void remove_if_abandoned(const fs::path& file) {
   if (!error && fs::file_time_type::clock::now() - written > kAbandoned) fs::remove(file, error);
 }
 
-/// The folder as users gave it.
+/// The folder as the user gave it.
 std::string shown(const fs::path& folder) {
   const std::string path = folder.string(), inside = std::string("/") + kUnitsInside;
   return path.ends_with(inside) ? path.substr(0, path.size() - inside.size()) : path;
@@ -121,8 +121,9 @@ CampaignIdentity campaign_in(const fs::path& folder) {
     return campaign_in(folder / kUnitsInside);
   }
   if (!fs::exists(file)) {
-    throw std::invalid_argument(fmt::format("{}: has no units of a campaign: {} is missing",
-                                            folder.string(), kCampaignFile));
+    throw std::invalid_argument(
+        fmt::format("{}: is not a folder that a campaign wrote: {} is missing", folder.string(),
+                    kCampaignFile));
   }
   try {
     const Json json = Json::parse(bytes_of(file));
@@ -209,7 +210,7 @@ std::string Units::contents(const fs::path& file, std::int64_t unit) const {
   std::size_t size = 0;
   bytes >> stated >> size;
   bytes.get();
-  // Checked before unpacking, so that a changed size is not used.
+  // The digest is checked before unpacking, so that a changed size is not used.
   const std::string packed_result{std::istreambuf_iterator<char>(bytes), {}};
   if (stated == digest_of(digest_, unit, size, packed_result)) {
     return unpacked(packed_result, size);

@@ -11,12 +11,13 @@
 
 namespace raycheck::tools {
 
-/// Identifies a campaign: equal for all of its units.
+/// Identifies a campaign; the same for all of its units.
 struct CampaignIdentity {
-  std::string command;                       ///< "properties"
-  std::vector<std::string> arguments;        ///< The arguments that the result depends on.
-  std::string version;                       ///< The versions of raycheck and of the unit format.
-  std::map<std::string, std::string> files;  ///< Files that the arguments name, with digests.
+  std::string command;                 ///< "properties"
+  std::vector<std::string> arguments;  ///< The arguments on which the result depends.
+  std::string version;                 ///< The versions of raycheck and of the unit format.
+  /// The files that the arguments name, and their digests.
+  std::map<std::string, std::string> files;
 
   /// A digest of all members.
   std::string digest() const;
@@ -25,21 +26,22 @@ struct CampaignIdentity {
   std::string text() const;
 };
 
-/// The file in a folder of units that identifies their campaign.
+/// The file that identifies the campaign, in a folder of units.
 inline constexpr const char* kCampaignFile = "campaign.json";
-/// The subfolder of the units in a folder that also has other files.
+/// The subfolder of units in a folder that also has other files.
 inline constexpr const char* kUnitsInside = ".raycheck/units";
-/// The campaign of a folder, or of its subfolder kUnitsInside.
-/// Errors: std::invalid_argument naming the folder or the file.
+/// The campaign of a folder of units, or of its subfolder kUnitsInside. Errors:
+/// std::invalid_argument naming the folder or the file.
 CampaignIdentity campaign_in(const std::filesystem::path& folder);
 
-/// The units of a campaign in folders: each is a file that appears completely or not at all and
-/// contains its digest. Thread-safe except for open().
+/// The units of a campaign in folders. Each unit is a file that appears completely or not at all
+/// and contains a digest. Thread-safe except for open().
 class Units {
  public:
-  /// To compute the missing units of a shard into a folder, which open() makes.
+  /// For computing the missing units of a shard; the results are written to a folder, which open()
+  /// makes.
   Units(CampaignIdentity campaign, std::filesystem::path folder, Shard shard);
-  /// To merge the units of folders.
+  /// For merging the units of folders.
   /// Errors: std::invalid_argument naming a folder of another campaign.
   Units(CampaignIdentity campaign, std::vector<std::filesystem::path> folders);
 
@@ -48,13 +50,13 @@ class Units {
   /// Errors: std::invalid_argument naming a folder or file of another campaign, or, when merging, a
   /// missing unit.
   std::vector<std::int64_t> open(std::int64_t count);
-  /// Whether this run has all units, so that there is something to report.
+  /// Whether this run has all units of the campaign, so that it can report.
   bool are_all() const { return is_merged_ || shard_.of == 1; }
   const Shard& shard() const { return shard_; }
   const CampaignIdentity& campaign() const { return campaign_; }
 
-  /// The contents of a unit's file; empty if it is missing or, unless merging, damaged. Errors when
-  /// merging: std::invalid_argument naming a damaged file, or two files that contradict each other.
+  /// The contents of a unit's file; empty if it is missing or damaged. When merging, a damaged
+  /// file, or two files that contradict each other, is an error: std::invalid_argument naming them.
   std::optional<std::string> read(std::int64_t unit) const;
   /// Throws std::invalid_argument naming the file of a unit that was read.
   [[noreturn]] void refuse(std::int64_t unit, const std::string& why) const;
@@ -68,7 +70,7 @@ class Units {
   [[noreturn]] void refuse_missing(std::int64_t count) const;
 
   CampaignIdentity campaign_;
-  std::string digest_;  ///< The campaign's.
+  std::string digest_;  ///< The campaign's digest.
   std::vector<std::filesystem::path> folders_;
   Shard shard_;
   bool is_merged_;

@@ -17,18 +17,18 @@ namespace {
 
 using properties::StressResult;
 
-/// The number of severities that are shown as scenes, evenly spaced.
+/// The number of severities, evenly spaced, that are shown as scenes.
 constexpr int kMostScenes = 18;
-/// Cases per severity; the scene shows the worst.
+/// The number of cases tried per severity; the scene shows the worst.
 constexpr int kCasesTried = 20;
 
-/// How bad an answer is: wrong decisions before errors.
+/// A measure of how bad answers are. Wrong decisions count more than errors.
 double badness(const StressResult& result, properties::Quantity quantity) {
   return properties::defects(result.inside) > 0 ? HUGE_VAL
                                                 : result.inside.tally(quantity).max().value_or(-1);
 }
 
-/// Where the main quantity, or a decision, is worst.
+/// The place where the main quantity, or a decision, is worst.
 properties::Place worst_place(const StressResult& result, properties::Quantity quantity) {
   const auto worst = result.inside.worst(1);
   if (!worst.empty()) return worst.front().place;
@@ -38,14 +38,14 @@ properties::Place worst_place(const StressResult& result, properties::Quantity q
 struct ShownCase {
   properties::Case the_case;
   properties::Place place;
-  std::optional<properties::Discrepancy> wrong;  ///< The method's defect there, if any.
+  std::optional<properties::Discrepancy> wrong;  ///< The candidate's defect there, if any.
 };
 
-/// Among the first cases at a severity, in the order of judging, the one on which a method is
-/// worst. Empty if nothing was judged.
+/// Of the first cases at a severity, the one on which a candidate is worst. Empty if nothing was
+/// judged.
 ShownCase worst_of_first(const properties::CaseSource& family, int severity,
                          const StressCurve& curve, std::uint64_t seed) {
-  const std::vector<properties::Candidate> candidate = {curve.method.make()};
+  const std::vector<properties::Candidate> candidate = {curve.candidate.make()};
   const properties::Quantity quantity = properties::main_quantity(curve.stage);
   properties::Random seeds(seed + static_cast<std::uint64_t>(severity));
   ShownCase shown;
@@ -58,7 +58,7 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
     if (bad <= worst) continue;
     worst = bad;
     properties::Place place = worst_place(results.front(), quantity);
-    // Intersections are given the camera's rays, one for each pixel of the case.
+    // For intersections, the case has the camera's rays, one for each pixel.
     if (the_case.scene.camera && !place.pixel && place.ray < the_case.pixels.size()) {
       place.pixel = the_case.pixels[place.ray];
     }
@@ -96,15 +96,15 @@ ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
 ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
                            const properties::RunControl& control) {
   if (options.families.size() != 1) {
-    throw scene::InvalidInput("family", "", "give one family");
+    throw scene::InvalidInput("family", "", "give one source");
   }
   const StressReport report = run_stress(options, control);
   if (report.interrupted) throw scene::Interrupted();
   const FamilyReport& family = report.families.front();
   if (family.curves.empty()) {
-    throw scene::InvalidInput("method", "", "this family has no questions for the given methods");
+    throw scene::InvalidInput("method", "", "this source has no questions for the given methods");
   }
-  // The stage that the family tests: intersections if it has any.
+  // The stage that the source tests: intersections if it has spheres to intersect.
   const properties::Stage stage = family.curves.back().stage;
   ViewDocument document;
   document.title = std::string(family.family->name);
@@ -117,14 +117,15 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
   for (const StressCurve& curve : family.curves) {
     if (curve.stage != stage) continue;
     if (first == nullptr) first = &curve;
-    show(curve.method, view);
+    show(curve.candidate, view);
   }
-  dial.sentence += fmt::format("; scenes: of the first {} cases the one on which {} is worst",
-                               kCasesTried, first->method.name);
+  dial.sentence +=
+      fmt::format("; scenes: at each severity, the one of the first {} cases on which {} is worst",
+                  kCasesTried, first->candidate.name);
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =
       properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);
-  ChartFacet facet = stress_facet(family, stage, first->method.precision);
+  ChartFacet facet = stress_facet(family, stage, first->candidate.precision);
   document.chart = ChartView{{of_severities(std::move(facet), chosen)}, kChartShares.size() - 1};
   view.limits.panel_bytes = kPanelBytes / chosen.size();
   for (const int k : chosen) {
@@ -135,7 +136,7 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
     view.file = view.name + ".toml";
     view.wanted = selections_of(shown.the_case, shown.place);
     if (shown.wrong) {
-      document.findings.push_back(finding_of(shown, severity, first->method.name));
+      document.findings.push_back(finding_of(shown, severity, first->candidate.name));
       document.findings.back().scene = document.scenes.size();
     }
     dial.scenes.push_back(document.scenes.size());

@@ -29,7 +29,8 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
   for (const std::string& name : names) {
     const CaseSource* const family = properties::find_case_source(name);
     if (family == nullptr || !family->severities) {
-      throw scene::InvalidInput("family", name, "no such family; the families are " + known);
+      throw scene::InvalidInput("family", name,
+                                "no such source with severities; there are " + known);
     }
     if (std::ranges::find(families, family) == families.end()) {
       families.push_back(family);
@@ -45,7 +46,7 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
   return {from, std::min(to, highest)};
 }
 
-/// Requires that every family has the first requested severity, and one family the last.
+/// Requires that every source has the first requested severity, and at least one source the last.
 void require_severities(const std::vector<const CaseSource*>& families,
                         const StressOptions& options) {
   if (!options.severities || families.empty()) return;
@@ -73,7 +74,7 @@ std::vector<Stage> stages_of(const CaseSource& family) {
   return {Stage::kIntersection};
 }
 
-/// A family at a stage: its curves, and the same methods' candidates.
+/// A source at a stage: its curves, and a candidate for each curve.
 struct Series {
   const CaseSource* family;
   Stage stage;
@@ -82,7 +83,7 @@ struct Series {
 
   std::vector<properties::Candidate> candidates() const {
     std::vector<properties::Candidate> all;
-    for (const StressCurve& curve : curves) all.push_back(curve.method.make());
+    for (const StressCurve& curve : curves) all.push_back(curve.candidate.make());
     return all;
   }
 };
@@ -157,6 +158,16 @@ std::uint64_t StressCurve::left_out() const {
   return sum;
 }
 
+properties::AnswersFailed StressCurve::failed() const {
+  properties::AnswersFailed all;
+  for (const StressResult& result : results) {
+    properties::AnswersFailed failed = properties::answers_failed(result);
+    if (all.count == 0) all.first = std::move(failed.first);
+    all.count += failed.count;
+  }
+  return all;
+}
+
 std::optional<double> StressCurve::slope(int base) const {
   std::vector<double> errors;
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -198,7 +209,8 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   using Results = std::vector<StressResult>;
   std::size_t next = 0;
   properties::RunControl allowed = control;
-  // A candidate that times out three times is dropped, independently of threads.
+  // A candidate that times out three times is dropped. This does not depend on the number of
+  // threads.
   if (kept == nullptr &&
       std::ranges::any_of(options.implementations,
                           [](const Implementation& one) { return !one.methods; })) {

@@ -16,35 +16,37 @@
 namespace raycheck::tools {
 
 struct StressOptions {
-  std::vector<std::string> families;  ///< Empty: every source with a dial.
+  std::vector<std::string> families;  ///< Names of sources; if empty, every source with severities.
   std::vector<Implementation> implementations;
-  int cases = 200;  ///< At each severity.
+  int cases = 200;  ///< The number of cases at each severity.
   std::uint64_t seed = 1;
-  /// Severities from..to; empty: the family's own range.
+  /// The first and the last severity; if empty, all severities of the source.
   std::optional<std::pair<int, int>> severities;
 };
 
-/// One method on one family.
+/// The results of one candidate on one source.
 struct StressCurve {
   properties::Stage stage = properties::Stage::kRays;
-  Implementation method;
+  Implementation candidate;
   std::vector<int> severities;
   std::vector<properties::StressResult> results;  ///< One per severity.
 
   properties::Quantity quantity() const { return properties::main_quantity(stage); }
   /// The unit of that quantity's errors: "ulp", "u of float".
-  std::string_view unit() const { return unit_name(quantity(), method.precision); }
+  std::string_view unit() const { return unit_name(quantity(), candidate.precision); }
   /// The tally of the main quantity within the stated domain at the k-th severity.
   const properties::Tally& tally(std::size_t k) const {
     return results[k].inside.tally(quantity());
   }
-  /// The least severity at which the method is not stable within its stated domain.
+  /// The smallest severity at which the candidate is not stable within its stated domain.
   std::optional<int> first_failing() const;
   /// Whether anything was judged within the stated domain.
   bool is_judged() const;
   std::optional<double> worst_ratio() const;
   std::uint64_t left_out() const;
   std::optional<double> slope(int base) const;
+  /// The answers that the candidate failed to give.
+  properties::AnswersFailed failed() const;
 };
 
 struct FamilyReport {
@@ -62,10 +64,10 @@ struct StressReport {
   std::uint64_t compared() const;
 };
 
-/// Judges each stage of methods separately, on families of cases of growing severity; of more than
-/// properties::kMostSeverities severities only some are judged. Throws std::invalid_argument naming
-/// the field. With `units`, only the missing units of the shard; if that is not the whole campaign,
-/// the report is empty.
+/// Judges each stage of candidates separately, on sources at increasing severities. If a source has
+/// more than properties::kMostSeverities severities, only some are judged. Throws
+/// std::invalid_argument naming the field. If `units` is given, runs only the shard's missing
+/// units, and returns an empty report unless the shard is the whole campaign.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {},
                         Units* units = nullptr);
 
@@ -79,20 +81,20 @@ inline constexpr View<StressReport> kStressViews[] = {
     {"markdown", stress_markdown},
 };
 
-/// Certificates of the first discrepancy of each kind at each severity: one per line.
+/// Certificates of the first discrepancy of each kind at each severity, one per line.
 std::string stress_certificates(const StressReport& report);
 
-/// The methods of one stage that are judged in one format, on a family.
+/// The candidates of one stage that are judged in one format, on a source.
 ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
                         scene::Precision precision);
 
-/// A report as a page: error against severity, on each of its families.
+/// A report as a page: error against severity, on each of its sources.
 ViewDocument stress_document(const StressReport& report);
 
-/// A family as a page: the error of each method at every severity, and at some severities a scene,
-/// the one of the first cases on which the first method is worst.
-/// `is_of_methods`: panels show the steps of these methods only.
-/// Domain: options with one family; otherwise throws std::invalid_argument naming the field.
+/// A source as a page: the error of each candidate at every severity and, at some severities, the
+/// scene of the first cases on which the first candidate is worst. `is_of_methods`: whether panels
+/// show only the steps of these methods.
+/// Domain: options with one source; otherwise throws std::invalid_argument naming the field.
 ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
                            const properties::RunControl& control);
 

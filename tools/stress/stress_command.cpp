@@ -4,8 +4,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tools/arguments.h"
+#include "scene/number.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/shard_arguments.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
@@ -30,7 +32,12 @@ struct StressArguments {
 std::pair<int, int> parse_range(const std::string& text) {
   const std::size_t dots = text.find("..");
   const auto number = [&](const std::string& part) {
-    return static_cast<int>(parse_index("--severity", part, 0, std::numeric_limits<int>::max()));
+    const auto severity = scene::parse_integer(part);
+    if (severity && *severity >= 0 && *severity <= std::numeric_limits<int>::max()) {
+      return static_cast<int>(*severity);
+    }
+    throw std::invalid_argument("--severity " + text +
+                                ": give a severity, or a range of severities, A..B");
   };
   if (dots == std::string::npos) return {number(text), number(text)};
   const std::pair<int, int> range = {number(text.substr(0, dots)), number(text.substr(dots + 2))};
@@ -61,17 +68,18 @@ int run_stress(StressArguments& arguments) {
 CommandRun add_stress(CLI::App& command) {
   const auto given = std::make_shared<StressArguments>();
   StressOptions& options = given->options;
-  command.add_option("--family", options.families, "only these families, separated by commas")
+  command.add_option("--family", options.families, "only these sources, separated by commas")
       ->delimiter(',');
   add_methods(command, given->methods);
-  command.add_option("--severity", given->severity,
-                     "only these severities, A..B (default: the family's own range)");
-  add_cases(command, options.cases, "cases at each severity");
+  command.add_option(
+      "--severity", given->severity,
+      "only this severity, or this range, A..B (default: all severities of the source)");
+  add_cases(command, options.cases, "the number of cases at each severity");
   add_seed(command, options.seed);
   add_external(command, given->external);
   add_threads(command, given->threads, "the report");
   add_shards(command, given->shards);
-  add_view(command, given->view, "error against severity, for every family and quantile");
+  add_view(command, given->view, "error against severity, for every source and quantile");
   add_certificates(command, given->certificates);
   add_format(command, given->format, names_of(kStressViews));
   return [given] { return run_stress(*given); };

@@ -19,10 +19,10 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     entry["methods"] = Json::array();
     for (const StressCurve& curve : family.curves) {
       Json method;
-      const scene::Precision precision = curve.method.precision;
-      method["name"] = curve.method.name;
-      method["isolated_by"] = text_or_null(curve.method.isolated_by);
-      method["bounds_of"] = text_or_null(curve.method.bounds_of);
+      const scene::Precision precision = curve.candidate.precision;
+      method["name"] = curve.candidate.name;
+      method["isolated_by"] = text_or_null(curve.candidate.isolated_by);
+      method["bounds_of"] = text_or_null(curve.candidate.bounds_of);
       method["precision"] = name(precision);
       method["stage"] = name(curve.stage);
       method["judged"] = curve.is_judged();
@@ -47,12 +47,12 @@ std::string stress_certificates(const StressReport& report) {
   std::vector<Json> certificates;
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
-      const properties::Candidate candidate = curve.method.make();
+      const properties::Candidate candidate = curve.candidate.make();
       for (const properties::StressResult& result : curve.results) {
         for (const properties::Example& found : result.found) {
           const scene::Scene& scene = found.the_case.scene;
           certificates.push_back(certificate(scene, candidate.declared.over(scene.conventions),
-                                             found.discrepancy, curve.method.name));
+                                             found.discrepancy, curve.candidate.name));
         }
       }
     }

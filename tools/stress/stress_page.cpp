@@ -14,8 +14,8 @@ ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precisio
                    .precision = precision};
   for (const StressCurve& curve : family.curves) {
     if (curve.stage != stage) continue;
-    ChartSeries series{.name = curve.method.name, .number = curve.method.number};
-    if (curve.method.precision != precision || !curve.is_judged()) continue;
+    ChartSeries series{.name = curve.candidate.name, .number = curve.candidate.number};
+    if (curve.candidate.precision != precision || !curve.is_judged()) continue;
     if (facet.severities.empty()) {
       for (const int severity : curve.severities) {
         facet.severities.push_back(std::to_string(severity));
@@ -34,7 +34,7 @@ ViewDocument stress_document(const StressReport& report) {
   ViewDocument document;
   document.title = report.families.size() == 1
                        ? fmt::format("Error against severity: {}", report.families[0].family->name)
-                       : fmt::format("Error against severity: {} families", report.families.size());
+                       : fmt::format("Error against severity: {} sources", report.families.size());
   std::vector<ChartFacet>& facets = document.chart.emplace().facets;
   for (const Stage stage : {Stage::kIntersection, Stage::kRays}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {

@@ -16,7 +16,7 @@ using properties::StressResult;
 using properties::Tally;
 using properties::Verdict;
 
-/// With more curves than this the report omits single curves and severities.
+/// With more curves than this, the report omits single curves and severities.
 constexpr std::size_t kMostSummed = 40;
 constexpr std::size_t kMostDetailed = 4;
 
@@ -26,9 +26,9 @@ std::string failing_text(const StressCurve& curve) {
   return failing ? std::to_string(*failing) : "stable";
 }
 
-/// First failing severities of one stage's methods, a row per family.
+/// The first failing severities of one stage's candidates, a row for each source.
 Table first_failing_table(const StressReport& report, Stage stage) {
-  std::vector<std::string> columns = {"family", "severities"};
+  std::vector<std::string> columns = {"source", "severities"};
   std::vector<std::vector<std::string>> rows;
   for (const FamilyReport& family : report.families) {
     std::vector<std::string> row = {
@@ -39,7 +39,7 @@ Table first_failing_table(const StressReport& report, Stage stage) {
     for (const StressCurve& curve : family.curves) {
       if (curve.stage != stage) continue;
       if (rows.empty()) {
-        columns.push_back(">" + curve.method.name);
+        columns.push_back(">" + curve.candidate.name);
       }
       row.push_back(failing_text(curve));
     }
@@ -50,7 +50,7 @@ Table first_failing_table(const StressReport& report, Stage stage) {
   return table;
 }
 
-/// The numbers of one method on one family at one severity.
+/// The numbers of one candidate on one source at one severity.
 std::vector<std::string> detail_row(const FamilyReport& family, const StressCurve& curve,
                                     std::size_t k) {
   const StressResult& result = curve.results[k];
@@ -65,7 +65,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
     undecided += each.count(properties::Standing::kUndecided);
   }
   return {std::string(family.family->name),
-          curve.method.name,
+          curve.candidate.name,
           std::to_string(curve.severities[k]),
           std::to_string(decisions),
           std::to_string(properties::defects(result.inside)),
@@ -87,7 +87,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
 }
 
 Table detail_table(const StressReport& report) {
-  Table table({"family",     "method",    ">severity",        ">decisions", ">defects",
+  Table table({"source",     "method",    ">severity",        ">decisions", ">defects",
                ">undecided", ">excused",  ">answers",         "unit",       ">median",
                ">99.9%",     ">max",      ">backward u",      ">max rho",   ">median kappa",
                ">exact",     ">accurate", ">ill-conditioned", ">unstable",  ">outside domain"});
@@ -101,9 +101,9 @@ Table detail_table(const StressReport& report) {
   return table;
 }
 
-/// A summary of a method on a family, in one row.
+/// A table with a row for each candidate on each source.
 Table summary_table(const StressReport& report) {
-  Table table({"family", "method", ">first failing", ">slope", ">max rho", ">missed", ">false",
+  Table table({"source", "method", ">first failing", ">slope", ">max rho", ">missed", ">false",
                ">other defects", ">max error", "unit"});
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
@@ -113,7 +113,7 @@ Table summary_table(const StressReport& report) {
       const std::uint64_t other_defects =
           properties::defects(all) - classes.count(Outcome::kWrongDecision);
       const std::optional<double> slope = curve.slope(family.family->severities->base);
-      table.add({std::string(family.family->name), curve.method.name, failing_text(curve),
+      table.add({std::string(family.family->name), curve.candidate.name, failing_text(curve),
                  slope ? fmt::format("{:.2f}", *slope) : "-", error_text(curve.worst_ratio()),
                  std::to_string(classes.count(properties::Wrong::kMissed)),
                  std::to_string(classes.count(properties::Wrong::kFalseHit)),
@@ -132,11 +132,15 @@ std::size_t count_curves(const StressReport& report) {
 
 std::string explanation() {
   return fmt::format(
-      "A number is the first severity at which the method is not stable: a decision is wrong that\n"
-      "no relative change of the inputs by {:g} u makes right, or a stability ratio\n"
-      "rho = error / ((1 + kappa) u) is above {:g}. \"stable\": it is stable at all of them; "
-      "\"-\": nothing\nthere lies in its stated domain. u is that of the method's own precision. "
-      "More cases may find an\nearlier severity.\n",
+      "A number is the first severity at which the method is not stable: it decides wrongly, and "
+      "no\n"
+      "relative change of the inputs by {:g} u would make the decision right; or a stability "
+      "ratio\n"
+      "rho = error / ((1 + kappa) u) is above {:g}. u is the unit roundoff of the method's "
+      "precision, "
+      "kappa\nthe condition number. \"stable\": it is stable at all severities. \"-\": no case "
+      "lies in "
+      "the method's\ndomain. More cases may find an earlier severity.\n",
       properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
 }
 
@@ -148,7 +152,7 @@ std::string rendered(const StressReport& report, Markup markup) {
                       explanation());
   std::vector<Implementation> methods;
   for (const FamilyReport& family : report.families) {
-    for (const StressCurve& curve : family.curves) methods.push_back(curve.method);
+    for (const StressCurve& curve : family.curves) methods.push_back(curve.candidate);
   }
   const std::string others = isolation_text(methods);
   if (!others.empty()) text += "\n" + others;
@@ -163,9 +167,15 @@ std::string rendered(const StressReport& report, Markup markup) {
   text += "\n";
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
+      const std::string where = fmt::format("{}{} on {} ({})", item, curve.candidate.name,
+                                            family.family->name, name(curve.stage));
+      const properties::AnswersFailed failed = curve.failed();
+      if (failed.count > 0) {
+        text += fmt::format("{}: {} failed, first: {}\n", where, count_text(failed.count, "answer"),
+                            failed.first);
+      }
       if (curve.left_out() == 0) continue;
-      text += fmt::format("{}{} on {} ({}): {} left out, not representable in floats\n", item,
-                          curve.method.name, family.family->name, name(curve.stage),
+      text += fmt::format("{}: {} left out, not representable in floats\n", where,
                           count_text(curve.left_out(), "case"));
     }
   }

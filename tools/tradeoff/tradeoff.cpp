@@ -19,13 +19,13 @@ using properties::ChosenSource;
 using properties::Stage;
 using properties::StressResult;
 
-/// Longer ranges of severities are reported in this many stretches.
+/// Ranges of more severities than this are reported in this many stretches.
 constexpr int kMostStretches = 17;
 
-/// More sources than these are not named in titles.
+/// If there are more sources than this, titles do not name them.
 constexpr std::size_t kMostNamed = 3;
 
-/// The rays of a scene judged at a time.
+/// The number of rays of a scene that are judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
 std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
@@ -50,7 +50,8 @@ JudgedSource judged_source(const ChosenSource& source) {
   return judged;
 }
 
-/// Methods are timed on the first cases, until their spheres, rays and pixels exceed this in total.
+/// Candidates are timed on the first cases, until the spheres, rays and pixels of these exceed this
+/// number.
 constexpr std::size_t kMostTimed = std::size_t{1} << 21;
 
 /// The timed cases of one source, or of a scene.
@@ -77,19 +78,19 @@ std::vector<MethodCost> costs_of(const std::vector<Implementation>& methods, Sta
     if (!method.offers(stage)) continue;
     MethodCost& cost = costs.emplace_back();
     cost.stage = stage;
-    cost.method = method;
+    cost.candidate = method;
     cost.promises = method.make();
   }
   return costs;
 }
 
-/// Judges a stage's methods on cases that belong together, one at a time.
+/// Judges the candidates of a stage on the cases of one source, or of a scene, one case at a time.
 class StageJudge {
  public:
   StageJudge(Stage stage, const JudgedSource& source, std::vector<MethodCost>& costs)
       : stage_(stage), source_(source), costs_(costs), results_(costs.size()) {
     for (MethodCost& cost : costs) {
-      candidates_.push_back(cost.method.make());
+      candidates_.push_back(cost.candidate.make());
       cost.by_severity.emplace_back(source.severities.size());
     }
   }
@@ -105,7 +106,7 @@ class StageJudge {
       results_[k].merge(std::move(found[k]));
     }
   }
-  /// Adds the results on the cases.
+  /// Adds the results to the costs.
   void finish() {
     for (std::size_t k = 0; k < costs_.size(); ++k) {
       if (results_[k].inside.compared() > 0 && !is_stable(results_[k].inside)) {
@@ -123,8 +124,8 @@ class StageJudge {
   std::vector<StressResult> results_;
 };
 
-/// Judges the methods of both stages on cases of a source, which `make` makes by number, with their
-/// severity, until an interrupt; returns the number of cases. Keeps only those to be timed.
+/// Judges the candidates of both stages on cases of a source until an interrupt; returns the number
+/// of cases. `make` returns the k-th case and its severity. Only cases to be timed are kept.
 template <class Make>
 std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& source,
                     TradeoffReport& report, TimedCases& timed) {
@@ -157,7 +158,7 @@ std::optional<Rank> rank_of(const MethodCost& cost) {
   return Rank{time->median, badness->first, badness->second};
 }
 
-/// Marks methods that no other beats in time, defects and error at once.
+/// Marks candidates if no other is at least as good in time, defects and error.
 void mark_pareto(std::vector<MethodCost>& costs) {
   for (MethodCost& one : costs) {
     const auto mine = rank_of(one);
@@ -187,17 +188,18 @@ std::optional<std::pair<double, double>> badness_of(const properties::Verdict& v
   return std::pair(share, *main.quantile(0.999));
 }
 
-/// The cases that suit a stage, reduced to it.
+/// The cases that suit a stage, reduced to that stage.
 std::vector<Case> asked_of(const std::vector<Case>& cases, Stage stage) {
   const Candidate rays = candidate_of(kDefaultMethods);
   std::vector<Case> asked;
   for (const Case& one : cases) {
-    if (auto own = properties::alone(one, stage, rays)) asked.push_back(std::move(*own));
+    if (auto own = properties::case_of_stage(one, stage, rays)) asked.push_back(std::move(*own));
   }
   return asked;
 }
 
-/// Throws scene::Interrupted; methods not timed by then stay without times.
+/// Times the candidates. On an interrupt throws scene::Interrupted; candidates that are not yet
+/// timed stay without times.
 void finish(const std::vector<Case>& timed, TradeoffReport& report) {
   scene::poll();
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
@@ -205,7 +207,7 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
     const std::vector<Case> asked = asked_of(timed, stage);
     if (asked.empty()) {
       costs.clear();
-      report.left_out.push_back(fmt::format("{}: the cases do not use them", name(stage)));
+      report.left_out.push_back(fmt::format("{}: no case asks for them", name(stage)));
       continue;
     }
     if (stage == Stage::kRays) {
@@ -224,9 +226,9 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   const properties::SceneCases cases(std::move(loaded.scene),
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: only {} were selected",
-                                          cases.rays_in_scene() - cases.rays_judged(),
-                                          cases.rays_in_scene(), cases.rays_judged()));
+    report.left_out.push_back(fmt::format(
+        "{} of {} rays: only {} were selected; more cases select more",
+        cases.rays_in_scene() - cases.rays_judged(), cases.rays_in_scene(), cases.rays_judged()));
   }
   const auto rays = [&](std::uint64_t chunks) {
     return std::min(chunks * kChunk, cases.rays_judged());
@@ -259,7 +261,7 @@ void run_on_sources(const TradeoffOptions& options, const properties::RunControl
                           by_source.back());
   }
   control.progress("timing");
-  // Alternates between sources, so that all of them are timed.
+  // The cases alternate between sources, so that all sources are timed.
   std::vector<Case> mixed;
   for (std::size_t k = 0, added = 1; added > 0; ++k) {
     added = 0;
@@ -281,7 +283,7 @@ std::size_t JudgedSource::stretch_of(int severity) const {
 
 std::string subject_text(const TradeoffReport& report) {
   const std::size_t count = report.sources.size();
-  return count > kMostNamed ? fmt::format("{} families", count) : report.subject;
+  return count > kMostNamed ? fmt::format("{} sources", count) : report.subject;
 }
 
 const MethodCost* baseline(const std::vector<MethodCost>& costs) {

@@ -1,7 +1,8 @@
 #include <memory>
 
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/terminal.h"
 #include "tools/tradeoff/tradeoff.h"
 #include "tools/view/page/page.h"
@@ -41,15 +42,17 @@ CommandRun add_tradeoff(CLI::App& command) {
   TradeoffOptions& options = given->options;
   CLI::Option* const scene = command.add_option(
       "SCENE", options.scene,
-      "a scene: only stages that it needs are compared (default: ordinary cases)");
+      "a scene, in place of random cases; only the stages that it needs are compared");
   add_dialect(command, given->dialect);
   CLI::Option* const family =
       command
-          .add_option("--family", given->sources,
-                      "cases of these families or other sources, separated by commas")
+          .add_option(
+              "--family", given->sources,
+              "the sources of the random cases, separated by commas (default: rays,cameras)")
           ->delimiter(',')
           ->excludes(scene);
-  command.add_flag("--all-families", options.all_families, "cases of every family")
+  command
+      .add_flag("--all-families", options.all_families, "cases of every source that has severities")
       ->excludes(scene, family);
   add_methods(command, given->methods);
   add_cases(command, options.cases, "the number of cases, or of pixels of a scene");

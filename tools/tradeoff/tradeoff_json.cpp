@@ -12,9 +12,9 @@ Json duration_json(const Duration& duration) {
 
 Json cost_json(const MethodCost& cost) {
   Json json;
-  json["name"] = cost.method.name;
-  json["isolated_by"] = text_or_null(cost.method.isolated_by);
-  json["bounds_of"] = text_or_null(cost.method.bounds_of);
+  json["name"] = cost.candidate.name;
+  json["isolated_by"] = text_or_null(cost.candidate.isolated_by);
+  json["bounds_of"] = text_or_null(cost.candidate.bounds_of);
   json["called_in_process"] = cost.is_called_here;
   json["pareto"] = cost.pareto;
   json["call"] = or_null(cost.scalar, duration_json);

@@ -23,7 +23,7 @@ namespace {
 
 using properties::Stage;
 
-/// The time of batches, if any could be timed, or else of single calls.
+/// The time in batches; if batches could not be timed, the time of single calls.
 std::optional<ChartTime> chart_time(const MethodCost& cost, const MethodCost* baseline) {
   const auto& time = cost.batch ? cost.batch : cost.scalar;
   if (!time || baseline == nullptr) return std::nullopt;
@@ -31,7 +31,8 @@ std::optional<ChartTime> chart_time(const MethodCost& cost, const MethodCost* ba
   return ChartTime{time->median / base, time->low / base, time->high / base, time->median};
 }
 
-/// Marks the front of the points that `point_of` finds in each series, for each quantity and share.
+/// Marks the Pareto front of the points that `point_of` finds in each series, for each quantity and
+/// share.
 template <class PointOf>
 void mark_front(ChartFacet& facet, PointOf point_of) {
   for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
@@ -69,7 +70,7 @@ std::string stretch_text(const JudgedSource& source, std::size_t k) {
   return first == last ? std::to_string(first) : fmt::format("{}..{}", first, last);
 }
 
-/// A stage's methods of one format, on a source of the report or on all of them.
+/// The candidates of one stage and format, on one source of the report or on all sources.
 struct Part {
   const TradeoffReport& report;
   const std::vector<MethodCost>& costs;
@@ -77,15 +78,15 @@ struct Part {
   scene::Precision precision;
 };
 
-/// The series of a facet, with the data that `fill` adds, without those that were never compared.
+/// The series of a facet, with the data that `fill` adds. Series without comparisons are left out.
 template <class Fill>
 void add_series(const Part& part, ChartFacet& facet, Fill fill) {
   const MethodCost* const base = baseline(part.costs);
-  if (base != nullptr) facet.baseline = base->method.name;
+  if (base != nullptr) facet.baseline = base->candidate.name;
   for (const MethodCost& cost : part.costs) {
     if (cost.promises.precision != part.precision) continue;
-    ChartSeries series{.name = cost.method.name,
-                       .number = cost.method.number,
+    ChartSeries series{.name = cost.candidate.name,
+                       .number = cost.candidate.number,
                        .time = chart_time(cost, base),
                        .note = cost.not_timed};
     fill(cost, series);

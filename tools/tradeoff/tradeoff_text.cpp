@@ -23,7 +23,7 @@ std::string spread_text(const std::optional<Duration>& duration) {
   return fmt::format("{:.1f} ({:.1f}..{:.1f})", duration->median, duration->low, duration->high);
 }
 
-/// The hit classes that were wrong in this way, per million decisions.
+/// The number of hit classes that were wrong in this way, per million decisions.
 std::string per_million(const Verdict& verdict, Wrong wrong) {
   const Tally& tally = verdict.tally(Quantity::kClass);
   if (tally.cases == 0) return "-";
@@ -35,7 +35,7 @@ std::string max_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max());
 }
 
-/// The largest error over the growth of the bound, among the audited errors.
+/// The largest audited error, divided by the factor by which the bound grows.
 std::string audited_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max_over_growth);
 }
@@ -48,7 +48,7 @@ std::string ratio_text(const Verdict& verdict) {
   return error_text(properties::worst_ratio(verdict));
 }
 
-/// The bound of an error on given rays, if the error was measured.
+/// The bound on an error for given rays, if the error was measured.
 std::string bound_text(const MethodCost& cost, Quantity quantity) {
   if (cost.accuracy.inside.tally(quantity).cases == 0) return "-";
   return error_text(documented_bound(cost.promises, quantity, false));
@@ -57,11 +57,11 @@ std::string bound_text(const MethodCost& cost, Quantity quantity) {
 std::string stability_text(const MethodCost& cost) {
   if (cost.accuracy.inside.compared() == 0) return "-";
   if (cost.unstable_on.empty()) return "all";
-  return fmt::format("not {}", fmt::join(cost.unstable_on, ", "));
+  return fmt::format("all but {}", fmt::join(cost.unstable_on, ", "));
 }
 
 std::string name_text(const MethodCost& cost) {
-  return (cost.pareto ? "* " : "  ") + cost.method.name;
+  return (cost.pareto ? "* " : "  ") + cost.candidate.name;
 }
 
 std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) {
@@ -69,7 +69,7 @@ std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) 
   return fmt::format("{:.2f}", cost.batch->median / baseline->batch->median);
 }
 
-/// For methods that are judged in one format: their errors have one unit.
+/// The table for candidates that are judged in one format, so that their errors have the same unit.
 Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
   Table table({"  method", ">ns a call", ">ns in a batch", ">ratio",
                fmt::format(">median {}", unit_name(Quantity::kParameter, precision)), ">99.9%",
@@ -116,36 +116,39 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
 
 std::string legend(std::string_view item, bool has_single) {
   std::string text = fmt::format(
-      "\n{0}*: no other method is as fast in a batch, with as small a share of defects and as "
-      "small a 99.9% error\n"
-      "{0}ns: median of interleaved repetitions (and where the middle half of them lies); ratio: "
-      "of "
-      "batches, to the first; a call to make rays sets up its camera, too\n"
+      "\n{0}*: no other method is at least as good in all three: ns in a batch, the share of "
+      "defects "
+      "and the 99.9% error\n"
+      "{0}ns: the median of repetitions, whose order mixes the methods (and the range of the "
+      "middle "
+      "half of them); ratio: ns in a batch, divided by those of the first method; a call to make "
+      "rays includes the setup of its camera\n"
       "{0}/M: per million decisions; defects: wrong decisions that no relative change of the "
-      "inputs "
-      "by {1:g} u makes right\n"
-      "{0}bound: what the method documents up to condition number {2:g}; beyond, it grows in "
-      "proportion; audited: the largest error over that growth\n"
-      "{0}stable: no defect, and rho = error / ((1 + kappa) u) at most {3:g}\n"
+      "inputs by {1:g} u would make right\n"
+      "{0}bound: the error bound that the method documents up to the condition number {2:g}, above "
+      "which it grows in proportion; audited: the largest quotient of an error and this growth, to "
+      "be compared with the bound\n"
+      "{0}stable: no defect, and rho = error / ((1 + kappa) u) is at most {3:g}; kappa is the "
+      "condition number\n"
       "{0}outside: inputs outside the method's stated domain\n",
       item, properties::kExcusedChange / properties::kDoubleRoundoff,
       properties::kModerateCondition, properties::kStableRatio);
   if (!has_single) return text;
   return text + fmt::format(
                     "{}in single precision: u and ulp are those of float, 2^29 times those of "
-                    "double; * compares them in those of double\n",
+                    "double; for *, all errors are converted to those of double\n",
                     item);
 }
 
-/// The isolation of external candidates, and those that are timed in this process.
+/// The isolation of external candidates, and the names of those that are timed in this process.
 std::string others_text(const TradeoffReport& report, std::string_view item) {
   std::vector<Implementation> methods;
   std::string called_here;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     std::vector<std::string> names;
     for (const MethodCost& cost : *costs) {
-      methods.push_back(cost.method);
-      if (cost.is_called_here) names.push_back(cost.method.name);
+      methods.push_back(cost.candidate);
+      if (cost.is_called_here) names.push_back(cost.candidate.name);
     }
     if (names.empty()) continue;
     called_here += fmt::format("{}{} of {}", called_here.empty() ? "" : "; ",
@@ -154,11 +157,25 @@ std::string others_text(const TradeoffReport& report, std::string_view item) {
   std::string text = indented(isolation_text(methods), item);
   if (!text.empty()) text = "\n" + text;
   if (called_here.empty()) return text;
-  return text +
-         fmt::format(
-             "{}timed in raycheck's process (--sandbox none), by the same loops, after their "
-             "answers there were found equal to the judged ones: {}\n",
-             item, called_here);
+  return text + fmt::format(
+                    "{}timed in raycheck's process (--sandbox none), by the same loops, after a "
+                    "check that "
+                    "they answer there as they did when they were judged: {}\n",
+                    item, called_here);
+}
+
+/// The answers that external candidates failed to give.
+std::string failures_text(const TradeoffReport& report, std::string_view item) {
+  std::string text;
+  for (const auto* costs : {&report.rays, &report.intersections}) {
+    for (const MethodCost& cost : *costs) {
+      const auto failed = properties::answers_failed(cost.accuracy);
+      if (failed.count == 0) continue;
+      text += fmt::format("{}{} ({}): {} failed, first: {}\n", item, cost.candidate.name,
+                          name(cost.stage), count_text(failed.count, "answer"), failed.first);
+    }
+  }
+  return text;
 }
 
 std::vector<std::string> left_out_of(const TradeoffReport& report) {
@@ -166,12 +183,13 @@ std::vector<std::string> left_out_of(const TradeoffReport& report) {
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
       if (cost.accuracy.left_out > 0) {
-        notes.push_back(fmt::format("{} ({}): {}, not representable in floats", cost.method.name,
+        notes.push_back(fmt::format("{} ({}): {}, not representable in floats", cost.candidate.name,
                                     name(cost.stage), count_text(cost.accuracy.left_out, "case")));
       }
       if (!cost.not_timed.empty()) {
-        const std::string stage = cost.method.methods ? "" : fmt::format(" ({})", name(cost.stage));
-        notes.push_back(fmt::format("{}{}: {}", cost.method.name, stage, cost.not_timed));
+        const std::string stage =
+            cost.candidate.methods ? "" : fmt::format(" ({})", name(cost.stage));
+        notes.push_back(fmt::format("{}{}: {}", cost.candidate.name, stage, cost.not_timed));
       }
     }
   }
@@ -197,7 +215,7 @@ std::string rendered(const TradeoffReport& report, Markup markup) {
     add("rays", report.rays, ray_table);
     add("intersections", report.intersections, intersection_table);
   }
-  text += legend(item, has_single) + others_text(report, item);
+  text += legend(item, has_single) + others_text(report, item) + failures_text(report, item);
   const std::vector<std::string> notes = left_out_of(report);
   if (!notes.empty()) text += fmt::format("\n{}left out\n\n", is_plain ? "" : "### ");
   for (const std::string& note : notes) text += fmt::format("{}{}\n", item, note);

@@ -22,7 +22,7 @@ using properties::Case;
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
-/// A point or a vector, to the bit.
+/// Whether two points or vectors are equal bit for bit.
 template <class Triple>
 bool same_bits(const Triple& a, const Triple& b) {
   return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
@@ -30,17 +30,17 @@ bool same_bits(const Triple& a, const Triple& b) {
 
 constexpr const char* kDiffers = "its answers in the timed calls differ from the judged ones";
 
-/// Calls that a stopwatch runs.
+/// Calls that are timed.
 struct Timed {
   std::function<void(std::size_t count)> work;
   std::size_t items = 0;
 };
 
-/// Enough inputs that no branch predictor learns them, few enough to stay in the cache.
+/// So many inputs that no branch predictor learns them, but few enough to stay in the cache.
 constexpr std::size_t kItems = 4096;
 constexpr std::size_t kBatches = 8;
 constexpr int kRepetitions = 21;
-/// About how long one method may take in a repetition; slow ones are timed on fewer items.
+/// The approximate time of one candidate in a repetition; slow candidates are timed on fewer items.
 constexpr double kNanosecondsPerRepetition = 2e6;
 
 double elapsed_ns(const Timed& timed, std::size_t count) {
@@ -50,7 +50,7 @@ double elapsed_ns(const Timed& timed, std::size_t count) {
   return elapsed.count();
 }
 
-/// The items that fit into the time of a repetition, and how often they are processed.
+/// The number of items that fit into the time of a repetition, and how often they are processed.
 struct Load {
   std::size_t count;
   int times;
@@ -101,7 +101,7 @@ bool is_inside(const IntersectCall& call, const properties::Candidate& candidate
   return properties::is_inside_domain(candidate, scene);
 }
 
-/// The cases in a candidate's format, without those that it cannot hold.
+/// The cases rounded to a candidate's format, without cases that the format cannot hold.
 std::vector<Case> in_format_of(const properties::Candidate& candidate,
                                const std::vector<Case>& cases) {
   if (candidate.input_format() == properties::InputFormat{}) return cases;
@@ -130,7 +130,7 @@ std::vector<IntersectCall> pairs_of(const std::vector<Case>& cases) {
   return pairs;
 }
 
-/// The ray of a pair, moved so that it has the same position relative to another sphere.
+/// The ray of a pair, moved so that its position relative to another sphere is the same.
 scene::Ray placed_at(const IntersectCall& pair, const scene::Sphere& sphere) {
   const double scale = pair.sphere.radius > 0 ? sphere.radius / pair.sphere.radius : 1;
   const scene::Ray& ray = pair.rays.front();
@@ -140,8 +140,8 @@ scene::Ray placed_at(const IntersectCall& pair, const scene::Sphere& sphere) {
           ray.direction};
 }
 
-/// The pairs in batches with one sphere each: the first pairs' spheres with all pairs' rays,
-/// rounded to a format.
+/// Batches with one sphere each, rounded to a format: the spheres of the first pairs with the rays
+/// of all pairs.
 std::vector<IntersectCall> batches_of(const std::vector<IntersectCall>& pairs,
                                       properties::InputFormat format) {
   std::vector<IntersectCall> batches;
@@ -193,38 +193,38 @@ std::string only_part(std::size_t part, std::size_t whole) {
                        : fmt::format("timed on the {} of {} inputs in its domain", part, whole);
 }
 
-/// The timed calls of a method, with one item each and in batches.
+/// The timed calls of a candidate: with one item each, and in batches.
 struct Clocked {
   Timed scalar, batch;
-  std::size_t items = 0;  ///< Of all batches.
+  std::size_t items = 0;  ///< The number of items of all batches.
 };
 
-/// Prepares the calls if their answers in this process equal the judged ones bit for bit; otherwise
-/// throws the reason.
+/// Prepares the calls if their answers in this process equal the judged answers bit for bit;
+/// otherwise throws the reason.
 template <class Prepare, class Calls, class Judged>
 Timed timed_calls(const Prepare& prepare, const Calls& calls, const Judged& judged) {
   auto ready = prepare(calls);
   for (std::size_t k = 0; k < calls.size(); ++k) {
     scene::poll();
-    // A candidate that is judged in a separate process crashes that process, not this one.
+    // The judged answer comes first: if the candidate crashes, only its own process does.
     const auto expected = judged(calls[k]);
     if (!is_same(ready.answer(k), expected)) throw std::invalid_argument(kDiffers);
   }
   return {std::move(ready.run), calls.size()};
 }
 
-/// The same for single calls and batches; if the candidate is not timed here, gives the reason.
+/// Prepares single calls and batches. If the candidate is not timed here, sets the reason.
 template <class Find, class Calls, class Judged>
 Clocked clocked(MethodCost& cost, const Find& find, const Calls& singles, const Calls& batches,
                 const Judged& judged) {
   try {
-    const auto prepare = find(cost.method.in_process());
+    const auto prepare = find(cost.candidate.in_process());
     if (!prepare) throw std::invalid_argument("it makes no rays");
     Clocked found;
-    // Batches first, which find most of what fails.
+    // Batches come first, because they find most failures.
     found.batch = timed_calls(prepare, batches, judged);
     found.scalar = timed_calls(prepare, singles, judged);
-    cost.is_called_here = !cost.method.methods;
+    cost.is_called_here = !cost.candidate.methods;
     return found;
   } catch (const properties::NoAnswer& error) {
     cost.not_timed = fmt::format("not timed: {}", error.what());
@@ -234,7 +234,8 @@ Clocked clocked(MethodCost& cost, const Find& find, const Calls& singles, const 
   return {};
 }
 
-/// Times the single calls and the batches of every method; without items the time stays empty.
+/// Times the single calls and the batches of every candidate. If there are no items, the time stays
+/// empty.
 void time_all(const std::vector<Clocked>& clocked, std::vector<MethodCost>& costs) {
   std::vector<Timed> all;
   for (Timed Clocked::*way : {&Clocked::scalar, &Clocked::batch}) {
@@ -283,7 +284,7 @@ void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>&
 void time_rays(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
   std::vector<Clocked> all;
   for (MethodCost& cost : costs) {
-    const properties::Candidate candidate = cost.method.make();
+    const properties::Candidate candidate = cost.candidate.make();
     std::vector<Case> inside;
     for (const Case& one : in_format_of(candidate, cases)) {
       if (properties::is_inside_domain(candidate, one.scene)) inside.push_back(one);

@@ -1,13 +1,14 @@
 #pragma once
 
-// The data of a page. The page's script only draws it: no claim depends on its computations.
+// The data of a page. The page's script only draws it; no claim depends on the script's
+// computations.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "properties/verdict.h"
+#include "properties/excuse.h"
 #include "scene/scene.h"
 #include "tools/report/json.h"
 #include "tools/view/chart/chart.h"
@@ -23,25 +24,26 @@ struct Selection {
 };
 Json selection_json(const Selection& selection);
 
-/// Everything about one ray and one sphere.
+/// Everything that a page shows about one ray and one sphere.
 struct Panel {
   Selection selection;
-  std::vector<std::string> wrong;  ///< The methods that go wrong.
-  Json told;                       ///< As in the document.
+  std::vector<std::string> wrong;  ///< The methods that are wrong there.
+  Json json;                       ///< The panel in the document.
 };
 
-/// A run of successive pixels, along the rows from row 0 on, with the same nearest sphere.
+/// A run of successive pixels, row by row from row 0 on, with the same nearest sphere.
 struct SeenRun {
   std::uint64_t pixels = 0;
-  std::int32_t sphere = 0;  ///< reference::kNoSphere: none.
+  std::int32_t sphere = 0;  ///< reference::kNoSphere if there is none.
 };
 
 struct SceneView {
   std::string name;
-  std::string command;  ///< The command that makes a page of it, without pixels and spheres.
+  /// The command that makes a page of the scene, without the options for pixels and spheres.
+  std::string command;
   scene::Scene scene;
-  Json figure;                    ///< As in the document,
-  Json pictures = Json::array();  ///< and its pictures.
+  Json figure;                    ///< The figure in the document.
+  Json pictures = Json::array();  ///< The pictures in the document.
   std::vector<SeenRun> seen;
   std::vector<Panel> panels;
   Selection start;  ///< The first selection.
@@ -50,18 +52,18 @@ struct SceneView {
 struct FindingView {
   std::string sentence;
   std::string candidate;
-  std::string method;  ///< The method by which panels show it; or empty.
-  /// Empty for errors within the bound.
+  std::string method;  ///< The method whose steps show it in panels, or empty.
+  /// Empty if the error is within the bound.
   std::optional<properties::Standing> standing = properties::Standing::kDefect;
-  std::size_t scene = 0;  ///< Index into the document's.
+  std::size_t scene = 0;  ///< The index of its scene in the document.
   Selection selection;
-  std::string looks_like = {};  ///< A sentence on the mistake that explains it.
+  std::string looks_like = {};  ///< A sentence on the mistake that explains it, or empty.
 };
 
-/// A stress family's dial: the document's chart is its one facet.
+/// The severities of a source as a dial. The document's chart has one facet, for this source.
 struct DialView {
   std::string sentence;
-  std::vector<std::size_t> scenes;  ///< For each severity of the facet, an index into scenes.
+  std::vector<std::size_t> scenes;  ///< For each severity of the facet, the index of its scene.
 };
 
 struct ViewDocument {
@@ -69,13 +71,15 @@ struct ViewDocument {
   std::vector<SceneView> scenes;
   std::vector<FindingView> findings;
   std::string found;  ///< The number of findings: "8 places, of 37 discrepancies".
-  std::string worst;  ///< Appended to the first's place: ", the worst of 37 discrepancies".
+  /// Appended to the place of the first finding: ", the worst of 37 discrepancies".
+  std::string worst;
   std::optional<DialView> dial;
-  std::optional<ChartView> chart;     ///< For a document without scenes, or a dial.
-  std::vector<std::string> left_out;  ///< What did not fit, and the command that shows it.
+  std::optional<ChartView> chart;  ///< For a document without scenes, or with a dial.
+  /// What did not fit into the page, and the commands that show it.
+  std::vector<std::string> left_out;
 };
 
-/// The JSON document of a page, on one line or several (docs/json.md).
+/// The JSON document of a page (docs/json.md), on several lines or on one.
 std::string document_json(const ViewDocument& document);
 std::string document_line(const ViewDocument& document);
 

@@ -17,7 +17,7 @@ Json scene_json(const SceneView& view) {
           {"pictures", view.pictures},
           {"seen", view.seen.empty() ? Json(nullptr) : list_json(view.seen, run_json)},
           {"start", selection_json(view.start)},
-          {"panels", list_json(view.panels, [](const Panel& panel) { return panel.told; })}};
+          {"panels", list_json(view.panels, [](const Panel& panel) { return panel.json; })}};
 }
 
 Json finding_json(const FindingView& finding) {
@@ -31,7 +31,7 @@ Json finding_json(const FindingView& finding) {
   return json;
 }
 
-/// [word, meaning] for the words that pages use.
+/// Pairs [word, meaning] for the words that pages use.
 std::vector<std::array<std::string, 2>> words_of_pages() {
   return {
       {"ulp",
@@ -47,9 +47,9 @@ std::vector<std::array<std::string, 2>> words_of_pages() {
       {"within its bound", "the method's largest error here is within its documented bound"},
       {"defect", "wrong, and rounding of the inputs does not excuse it: counts against the method"},
       {"excused",
-       "wrong here, but right for inputs that differ by at most 16 u: as accurate as its "
-       "inputs"},
-      {"undecided", "wrong here, but it was not decided whether it is excused or a defect"},
+       "wrong for these inputs, but right for inputs that differ by at most 16 u: as accurate as "
+       "the inputs"},
+      {"undecided", "wrong, but it could not be decided whether it is excused or a defect"},
       {"not judged", "outside the domain in which the method's bounds apply"},
       {"condition number",
        "the ratio of a relative change of the result to the relative change of "

@@ -18,8 +18,8 @@
 namespace raycheck::tools {
 namespace {
 
-/// The scene as shown: in the format and under the conventions of an external implementation, and
-/// from the eye if it makes rays only from there, as in explain.
+/// The scene to show: in the format and under the conventions of an external implementation. If
+/// that makes rays only from the eye, the origin is the eye, as in `explain`.
 scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& options) {
   scene::require_valid(scene);
   scene::Scene shown = scene;
@@ -39,7 +39,7 @@ scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& opti
   return shown;
 }
 
-/// The same scene with an image of at most `most_pixels`.
+/// The scene with an image of at most `most_pixels`.
 scene::Scene smaller(scene::Scene scene, std::int64_t most_pixels) {
   scene::Camera& camera = *scene.camera;
   const double pixels = static_cast<double>(camera.width) * static_cast<double>(camera.height);
@@ -58,7 +58,7 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
   for (const MethodPair& pair : options.methods) {
     makers.push_back([pair] { return candidate_of(pair); });
   }
-  // Without intersections there is no picture.
+  // If the implementation does not intersect, there is no picture.
   if (options.other && options.others_picture && options.other->make().intersect) {
     makers.push_back(answering_candidate(
         *options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
@@ -92,8 +92,9 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   if (camera == *scene.camera) view.seen = std::move(images.seen);
 }
 
-/// Panels are made in this order while there is room: the wanted ones, then pixels spread over the
-/// image, ever more densely, or all given rays; then the start's other spheres.
+/// The selections for panels, which are made in this order while there is room: the wanted ones;
+/// pixels spread over the image, more and more densely, or all given rays; the other spheres of the
+/// start's ray.
 std::vector<Selection> candidates_for_panels(const scene::Scene& scene,
                                              const SceneViewOptions& options) {
   std::vector<Selection> list = options.wanted;
@@ -106,7 +107,7 @@ std::vector<Selection> candidates_for_panels(const scene::Scene& scene,
     const std::int64_t longest = std::max(camera.width, camera.height);
     std::int64_t stride = 1;
     while (longest / stride > 1) stride *= 2;
-    std::int64_t before = 0;  // The stride of the pixels so far.
+    std::int64_t before = 0;  // the stride of the pixels so far
     for (; stride >= 1 && list.size() < options.limits.panels; before = stride, stride /= 2) {
       for (std::int64_t j = 0; j < camera.height; j += stride) {
         for (std::int64_t i = 0; i < camera.width; i += stride) {
@@ -144,7 +145,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
       static_cast<std::int64_t>(list.size()), until_full,
       [&](std::int64_t k) {
         Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], options), {}};
-        made.line = json_line(made.panel.told);
+        made.line = json_line(made.panel.json);
         return made;
       },
       [&](const Made& made) {

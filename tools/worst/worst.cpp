@@ -19,7 +19,7 @@ using properties::Quantity;
 using properties::Random;
 using properties::Stage;
 
-/// The quantities that a stage measures, by their names with hyphens for spaces.
+/// The quantities that a stage measures, with their names (hyphens for spaces).
 std::vector<std::pair<std::string, Quantity>> quantities_of(Stage stage) {
   std::vector<std::pair<std::string, Quantity>> quantities;
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
@@ -31,14 +31,14 @@ std::vector<std::pair<std::string, Quantity>> quantities_of(Stage stage) {
   return quantities;
 }
 
-/// The last stage of the method, unless an earlier one measures the quantity.
+/// The last stage of the candidate, unless an earlier one measures the quantity.
 Stage chosen_stage(const WorstOptions& options) {
-  for (const Stage stage : options.method.stages) {
+  for (const Stage stage : options.candidate.stages) {
     for (const auto& [name, quantity] : quantities_of(stage)) {
       if (name == options.quantity) return stage;
     }
   }
-  return options.method.stages.back();
+  return options.candidate.stages.back();
 }
 
 properties::ChosenSource chosen_family(const std::string& name) {
@@ -57,8 +57,9 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
     if (name == chosen) return quantity;
     known += (known.empty() ? "" : ", ") + name;
   }
-  throw scene::InvalidInput("quantity", chosen,
-                            fmt::format("no such quantity of {}; give {}", name(stage), known));
+  throw scene::InvalidInput(
+      "quantity", chosen,
+      fmt::format("no such quantity of {}; give one of {}", name(stage), known));
 }
 
 template <class Answer, class... Arguments>
@@ -99,14 +100,15 @@ void WorstFound::merge(WorstFound later) {
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control,
                        Units* units) {
   WorstReport report;
-  report.method = options.method;
+  report.candidate = options.candidate;
   report.stage = chosen_stage(options);
   report.search = options.search;
   properties::SearchOptions& search = report.search;
   search.sources = {chosen_family(options.family)};
   if (report.stage == Stage::kRays && !report.source().source->has_camera) {
-    throw scene::InvalidInput("family", options.family,
-                              fmt::format("has no camera, and {} makes rays", report.method.name));
+    throw scene::InvalidInput(
+        "family", options.family,
+        fmt::format("has no camera, and {} makes rays", report.candidate.name));
   }
   search.quantity = chosen_quantity(options.quantity, report.stage);
   report.searches = options.searches;
@@ -117,7 +119,7 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
         properties::SearchOptions its = search;
         if (k > 0) its.seed = Random(search.seed + static_cast<std::uint64_t>(k)).bits();
         WorstFound found;
-        found.worst = properties::find_worst_case(counted(report.method.make(), found),
+        found.worst = properties::find_worst_case(counted(report.candidate.make(), found),
                                                   report.stage, its, control);
         return found;
       },

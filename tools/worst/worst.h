@@ -14,20 +14,22 @@
 namespace raycheck::tools {
 
 struct WorstOptions {
-  /// The candidate, judged at the stage of the quantity, by default the last stage that it offers.
-  Implementation method;
-  std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
-  std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
-  properties::SearchOptions search;  ///< Its sources and its quantity follow from these.
-  std::int64_t searches = 1;         ///< With different seeds; the worst of all is reported.
+  /// The candidate. Judged is the stage that computes `quantity`; if that is empty, its last stage.
+  Implementation candidate;
+  std::string family;  ///< "SOURCE" or "SOURCE@SEVERITY"; the search starts from its cases.
+  /// The quantity's name with hyphens for spaces; empty: the main quantity of the stage.
+  std::string quantity;
+  properties::SearchOptions search;  ///< Its sources and quantity are set from the members above.
+  /// The number of searches, with different seeds; the worst input of all is reported.
+  std::int64_t searches = 1;
 };
 
 struct WorstFound {
-  std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
-  std::uint64_t failures = 0;                  ///< The number of times it gave no answer,
-  std::string first_failure;                   ///< and how it first failed.
+  std::optional<properties::WorstCase> worst;  ///< Empty if nothing was measured.
+  std::uint64_t failures = 0;  ///< The number of times that the candidate gave no answer.
+  std::string first_failure;   ///< The first of these failures.
 
-  /// Adds later searches: the worst of all, the earliest of those.
+  /// Adds the result of later searches. Keeps the worst input; of equally bad ones, the earliest.
   void merge(WorstFound later);
   template <class Archive>
   void serialize(Archive& archive) {
@@ -37,7 +39,7 @@ struct WorstFound {
 
 struct WorstReport : WorstFound {
   properties::Stage stage = properties::Stage::kRays;
-  Implementation method;
+  Implementation candidate;
   properties::SearchOptions search;
   std::int64_t searches = 1;
   bool interrupted = false;
@@ -46,9 +48,9 @@ struct WorstReport : WorstFound {
   bool is_unstable() const;
 };
 
-/// Searches for the input on which a method's certified error is largest. With `units`, only the
-/// missing units of the shard; if that is not the whole campaign, the report is empty.
-/// Throws std::invalid_argument naming the field.
+/// Searches for the input on which a candidate's certified error is largest. If `units` is given,
+/// runs only the shard's missing units, and returns an empty report unless the shard is the whole
+/// campaign. Throws std::invalid_argument naming the field.
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {},
                        Units* units = nullptr);
 

@@ -6,8 +6,9 @@
 #include <stdexcept>
 
 #include "scene/invalid_input.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
@@ -33,7 +34,8 @@ Implementation chosen_method(const WorstArguments& arguments) {
   if (methods.size() > 1) {
     throw scene::InvalidInput(
         "method", arguments.method,
-        fmt::format("ambiguous: give rays/{0} or intersect/{0}", arguments.method));
+        fmt::format("is the name of two methods; give rays/{0} or intersect/{0}",
+                    arguments.method));
   }
   return methods.front();
 }
@@ -45,10 +47,11 @@ int run_worst(WorstArguments& arguments) {
   if (arguments.external.candidates.size() > 1) {
     throw std::invalid_argument("--candidate: worst takes only one");
   }
-  arguments.options.method = chosen_method(arguments);
+  arguments.options.candidate = chosen_method(arguments);
   std::optional<OutputFile> scene = opened("--save", arguments.save);
   std::optional<OutputFile> view = opened("--view", arguments.view);
-  const std::unique_ptr<Units> units = units_of(arguments.shards, {&arguments.options.method, 1});
+  const std::unique_ptr<Units> units =
+      units_of(arguments.shards, {&arguments.options.candidate, 1});
   const WorstReport report =
       find_worst(arguments.options, run_control("worst", arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
@@ -66,25 +69,24 @@ int run_worst(WorstArguments& arguments) {
 CommandRun add_worst(CLI::App& command) {
   const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
-  CLI::Option* const method =
-      command.add_option("--method", given->method, "the method, for rays or intersection");
-  command
-      .add_option("--family", options.family,
-                  "the family or other source to start from, or FAMILY@SEVERITY")
+  CLI::Option* const method = command.add_option("--method", given->method,
+                                                 "the method that makes rays or intersects them");
+  command.add_option("--family", options.family, "the source to start from, or SOURCE@SEVERITY")
       ->required();
-  command.add_option("--quantity", options.quantity,
-                     "direction or pixel-point; parameter, backward-error or hit-point (default: "
-                     "direction or parameter)");
+  command.add_option(
+      "--quantity", options.quantity,
+      "for rays: direction (the default) or pixel-point; for intersections: parameter (the "
+      "default), backward-error or hit-point");
   add_named(
       command, "--by", options.search.climb, properties::kClimbNames,
-      "what to maximise: the error, the error over the growth of the documented bound, or the "
-      "stability ratio rho");
-  add_cases(command, options.search.cases, "random cases");
+      "what to maximise: the error; the error divided by the growth of the documented bound with "
+      "the condition number; or the stability ratio rho");
+  add_cases(command, options.search.cases, "the number of random cases to start from");
   add_number(command, "--steps", options.search.steps, 0, kMostCases,
              "the number of changes tried after the random cases");
   add_seed(command, options.search.seed);
   add_number(command, "--searches", options.searches, 1, kMostCases,
-             "the number of searches, each from other random cases");
+             "the number of searches, each one from other random cases");
   add_threads(command, given->threads, "the report");
   add_shards(command, given->shards);
   command.add_option("--save", given->save, "write the input to a TOML scene");

@@ -22,15 +22,15 @@ void add(Json& json, const properties::WorstCase& worst) {
 std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/) {
   const properties::SearchOptions& search = report.search;
   Json json = json_header("worst");
-  json["method"] = report.method.name;
-  json["isolated_by"] = text_or_null(report.method.isolated_by);
-  json["bounds_of"] = text_or_null(report.method.bounds_of);
+  json["method"] = report.candidate.name;
+  json["isolated_by"] = text_or_null(report.candidate.isolated_by);
+  json["bounds_of"] = text_or_null(report.candidate.bounds_of);
   json["family"] = report.source().name();
   json["seed"] = search.seed;
   json["searches"] = report.searches;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];
-  json["precision"] = name(report.method.precision);
-  json["unit"] = unit_name(search.quantity, report.method.precision);
+  json["precision"] = name(report.candidate.precision);
+  json["unit"] = unit_name(search.quantity, report.candidate.precision);
   json["measured"] = report.worst.has_value();
   json["failures"] = {{"count", report.failures}, {"first", report.first_failure}};
   json["interrupted"] = report.interrupted;

@@ -10,15 +10,15 @@ ViewDocument worst_document(const WorstReport& report, const properties::RunCont
   const properties::WorstCase& worst = *report.worst;
   ViewDocument document;
   document.title =
-      fmt::format("worst case of {} on {}", report.method.name, report.source().name());
+      fmt::format("worst case of {} on {}", report.candidate.name, report.source().name());
   SceneViewOptions view;
   view.name = "worst.toml";
   view.file = view.name;
-  show(report.method, view);
+  show(report.candidate, view);
   view.wanted = selections_of(worst.the_case, worst.shown.place);
   document.scenes.push_back(view_of(worst.the_case.scene, view, document.left_out, control));
-  document.findings.push_back({discrepancy_head(worst.shown), report.method.name,
-                               report.method.name, worst.shown.excuse.standing(), 0,
+  document.findings.push_back({discrepancy_head(worst.shown), report.candidate.name,
+                               report.candidate.name, worst.shown.excuse.standing(), 0,
                                selection_of(worst.shown.place, worst.the_case.scene)});
   document.found = "1";
   return document;

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <array>
+
 #include "properties/cases/case_text.h"
 #include "tools/report/words.h"
 #include "tools/worst/worst.h"
@@ -10,9 +12,9 @@ namespace {
 std::string headline(const WorstReport& report) {
   const properties::WorstCase& worst = *report.worst;
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",
-                     report.method.name, info(report.search.quantity).name, report.source().name(),
-                     error_text(worst.error),
-                     unit_name(report.search.quantity, report.method.precision),
+                     report.candidate.name, info(report.search.quantity).name,
+                     report.source().name(), error_text(worst.error),
+                     unit_name(report.search.quantity, report.candidate.precision),
                      error_text(worst.stability.condition), error_text(worst.stability.ratio),
                      name(worst.stability.outcome));
 }
@@ -27,17 +29,22 @@ std::string failures_text(const WorstReport& report) {
 }  // namespace
 
 std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/) {
-  const std::string others = isolation_text({report.method}) + failures_text(report);
+  const std::string others = isolation_text({report.candidate}) + failures_text(report);
   if (!report.worst) {
-    return others + fmt::format("{} on {}: nothing was measured in its stated domain\n",
-                                report.method.name, report.source().name());
+    return others + fmt::format(
+                        "{} on {}: nothing was measured: no answer in its stated domain could be "
+                        "compared\n",
+                        report.candidate.name, report.source().name());
   }
   const properties::WorstCase& worst = *report.worst;
   std::string text = others + headline(report) + "\n";
-  text += fmt::format("climbed on {}: {} by random cases, {} by climbing, {} when shrunk\n",
-                      properties::kClimbNames[static_cast<std::size_t>(report.search.climb)],
-                      error_text(worst.height_random), error_text(worst.height_climbed),
-                      error_text(worst.height));
+  constexpr std::array<std::string_view, 3> kMeasures = {"error", "error / growth of the bound",
+                                                         "stability ratio rho"};
+  text += fmt::format(
+      "rho = error / ((1 + condition number) u); at most {:g} is stable\n"
+      "largest {}: {} among random cases, {} after climbing; {} in the shrunk case below\n",
+      properties::kStableRatio, kMeasures[static_cast<std::size_t>(report.search.climb)],
+      error_text(worst.height_random), error_text(worst.height_climbed), error_text(worst.height));
   text += fmt::format("  got   {}\n  exact {}\n\n", got_text(worst.shown), exact_text(worst.shown));
   return text + properties::scene_text(worst.the_case);
 }

@@ -1,6 +1,7 @@
-// Bullet as ammo.js (npm ammo.js: C++ by Emscripten, in floats), btCollisionWorld.rayTest with a ClosestRayResultCallback
-// and a btSphereShape: m_hitPointWorld. It takes a segment by its ends: here a ray's first 2^14 lengths, the far end of
-// which is rounded. Bullet casts such rays by GJK. Silent about tangents and about origins inside, which have no hit.
+// Bullet as ammo.js (npm ammo.js: C++ by Emscripten, in floats), btCollisionWorld.rayTest with a
+// ClosestRayResultCallback and a btSphereShape: m_hitPointWorld. It takes the two ends of a
+// segment, here a ray's first 2^14 lengths; the far end is rounded. Bullet casts such rays by GJK.
+// Silent about tangents and about origins inside, which have no hit.
 // Source: Bullet's manual, "Performing queries"; btCollisionWorld.h.
 import { run } from "./raycheck_candidate.mjs";
 import ammo from "ammo.js";

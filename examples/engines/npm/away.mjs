@@ -1,7 +1,8 @@
-// AwayJS (npm @awayjs/core), Sphere.rayIntersection: the parameter where the ray enters, 0 where the origin is inside, -1
-// for a miss; vectors are stored in floats. There is no documentation: this is its code. 0 is not a point on the sphere: it
-// is returned as a miss, and the declared root is the first one, in front of the origin. The package is for browsers: the
-// objects that it needs while loading are faked here. Source: lib/geom/Sphere.ts, lib/geom/Vector3D.ts.
+// AwayJS (npm @awayjs/core), Sphere.rayIntersection: the parameter where the ray enters, 0 if the
+// origin is inside, -1 for a miss; vectors are stored in floats. This is read from its code, since
+// there is no documentation. 0 is not a point on the sphere; the adapter returns it as a miss, and
+// declares the first root, in front of the origin. The package is for browsers; the objects that it
+// needs while loading are faked here. Source: lib/geom/Sphere.ts, lib/geom/Vector3D.ts.
 import { run } from "./raycheck_candidate.mjs";
 
 Object.assign(globalThis, { window: globalThis, self: globalThis, navigator: { userAgent: "" },

@@ -1,6 +1,7 @@
-// Babylon.js (npm @babylonjs/core), Ray.intersectsSphere: "true if it hits the sphere". It takes a BoundingSphere, here made
-// by CreateFromCenterAndRadius. Its documentation does not say that directions are to be unit; the code needs it, and so do
-// the rays that Babylon makes itself (Ray.CreateNewFromTo). Silent about tangents. Source: Culling/ray.core.d.ts.
+// Babylon.js (npm @babylonjs/core), Ray.intersectsSphere: "true if it hits the sphere". It takes a
+// BoundingSphere, here made by CreateFromCenterAndRadius. Its documentation does not require unit
+// directions, but the code does, and Babylon's own rays have them (Ray.CreateNewFromTo). Silent
+// about tangents. Source: Culling/ray.core.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import { BoundingSphere } from "@babylonjs/core/Culling/boundingSphere.js";
 import { Ray } from "@babylonjs/core/Culling/ray.core.js";

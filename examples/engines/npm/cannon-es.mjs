@@ -1,6 +1,7 @@
-// cannon-es (npm cannon-es), World.raycastClosest(from, to, options, result): "Ray cast, and return information of the closest
-// hit"; result.hitPointWorld. It takes a segment by its ends: here a ray's first 2^20 lengths, the far end of which is rounded.
-// Silent about tangents. Source: dist/cannon-es.d.ts.
+// cannon-es (npm cannon-es), World.raycastClosest(from, to, options, result): "Ray cast, and return
+// information of the closest hit"; result.hitPointWorld. It takes the two ends of a segment, here a
+// ray's first 2^20 lengths; the far end is rounded. Silent about tangents. Source:
+// dist/cannon-es.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import { Body, RaycastResult, Sphere, Vec3, World } from "cannon-es";
 

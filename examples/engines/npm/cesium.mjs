@@ -1,10 +1,12 @@
-// CesiumJS (npm @cesium/engine), IntersectionTests.raySphere: "The interval containing scalar points along the ray or
-// undefined if there are no intersections"; it starts at 0 where the origin is inside, so that its stop is the point on the
-// sphere. Ray normalises its direction, so that these are distances. Silent about tangents. With the argument `far` only
-// the stop is judged. Source: Source/Core/IntersectionTests.js, Source/Core/Ray.js.
+// CesiumJS (npm @cesium/engine), IntersectionTests.raySphere: "The interval containing scalar
+// points along the ray or undefined if there are no intersections". If the origin is inside, the
+// interval starts at 0, and its stop is the point on the sphere. Ray normalises its direction, so
+// that these are distances. Silent about tangents. With the argument `far` only the stop is judged.
+// Source: Source/Core/IntersectionTests.js, Source/Core/Ray.js.
 import { run } from "./raycheck_candidate.mjs";
 
-// One after the other, and not all of Cesium: it has more modules than a sandbox can open at once.
+// Loads single modules, one after the other, since Cesium has more modules than a sandbox can open
+// at once.
 const core = async (name) => (await import(`@cesium/engine/Source/Core/${name}.js`)).default;
 const Cartesian3 = await core("Cartesian3");
 const Ray = await core("Ray");

@@ -1,6 +1,7 @@
-// crashcat (npm crashcat), castRayVsShape of a sphere (by GJK, as of any convex shape): hit.fraction of the ray's length,
-// here 2^10, with a unit direction. "treatConvexAsSolid: [...] when false, only surface hits are reported"; back faces are
-// left out, as by default. Silent about tangents, and about the tolerance at which GJK stops. Source: README.md ("Cast
+// crashcat (npm crashcat), castRayVsShape of a sphere (by GJK, which it uses for all convex
+// shapes): hit.fraction of the ray's length, here 2^10, with a unit direction. "treatConvexAsSolid:
+// [...] when false, only surface hits are reported". Back faces are left out, which is the default.
+// Silent about tangents, and about the tolerance at which GJK stops. Source: README.md ("Cast
 // Ray"), dist/src/collision/cast-ray-vs-shape.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import { CastRayStatus, castRayVsShape, createClosestCastRayCollector, registerAll, sphere } from "crashcat";

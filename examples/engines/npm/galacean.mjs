@@ -1,7 +1,8 @@
-// Galacean (npm @galacean/engine-math), Ray.intersectSphere: "The distance from this ray to the specified sphere if
-// intersecting, -1 otherwise": 0 where the origin is inside, since the solid ball is intersected. That is not a point on
-// the sphere: it is returned as a miss, and the declared root is the first one, in front of the origin. Ray: "the
-// normalized direction". Silent about tangents. Source: types/CollisionUtil.d.ts, types/Ray.d.ts.
+// Galacean (npm @galacean/engine-math), Ray.intersectSphere: "The distance from this ray to the
+// specified sphere if intersecting, -1 otherwise". If the origin is inside, the distance is 0,
+// since the solid ball is intersected. 0 is not a point on the sphere; the adapter returns it as a
+// miss, and declares the first root, in front of the origin. Ray: "the normalized direction".
+// Silent about tangents. Source: types/CollisionUtil.d.ts, types/Ray.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import { BoundingSphere, Ray, Vector3 } from "@galacean/engine-math";
 

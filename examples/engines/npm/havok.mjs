@@ -1,6 +1,7 @@
-// Havok (npm @babylonjs/havok: a closed engine in WebAssembly, in floats), HP_World_CastRayWithCollector with a body of
-// HP_Shape_CreateSphere: the fraction of the way between the ends of a segment: here a ray's first 2^14 lengths, the far
-// end of which is rounded. Silent about tangents and about origins inside, which have no hit. Source: HavokPhysics.d.ts.
+// Havok (npm @babylonjs/havok: a closed engine in WebAssembly, in floats),
+// HP_World_CastRayWithCollector with a body of HP_Shape_CreateSphere: the fraction of the way
+// between the ends of a segment, here a ray's first 2^14 lengths; the far end is rounded. Silent
+// about tangents and about origins inside, which have no hit. Source: HavokPhysics.d.ts.
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { run } from "./raycheck_candidate.mjs";

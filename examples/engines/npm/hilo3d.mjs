@@ -1,6 +1,7 @@
-// Hilo3d (npm hilo3d), Ray.intersectsSphere(center, radius): the point, or null. Vectors are stored in floats (gl-matrix).
-// Silent about unit directions, which the code needs, tangents and origins inside; the code takes only the smaller root.
-// The package is for browsers: the objects that it needs while loading are faked here. Source: types/index.d.ts.
+// Hilo3d (npm hilo3d), Ray.intersectsSphere(center, radius): the point, or null. Vectors are stored
+// in floats (gl-matrix). Silent about unit directions, which the code needs, tangents and origins
+// inside; the code takes only the smaller root. The package is for browsers; the objects that it
+// needs while loading are faked here. Source: types/index.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 
 const element = { getContext: () => ({}), style: {} };

@@ -1,5 +1,6 @@
-// OGL (npm ogl), Raycast.intersectSphere: the distance, or 0 for a miss. There is no documentation: its castMouse makes
-// unit directions, and its intersectBounds takes 0 for a miss. Source: src/extras/Raycast.js.
+// OGL (npm ogl), Raycast.intersectSphere: the distance, or 0 for a miss. There is no documentation,
+// but its castMouse makes unit directions, and its intersectBounds takes 0 for a miss. Source:
+// src/extras/Raycast.js.
 import { run } from "./raycheck_candidate.mjs";
 import { Raycast } from "ogl/src/extras/Raycast.js"; // not all of ogl: a sandbox opens few files
 import { Vec3 } from "ogl/src/math/Vec3.js";
@@ -10,7 +11,7 @@ function intersect({ origin, direction }, { centre, radius }) {
   return distance === 0 ? null : distance;
 }
 
-// An origin on the sphere cannot be distinguished from a miss.
+// A hit at an origin on the sphere cannot be distinguished from a miss.
 run("ogl", {
   directions: "unit", returns: "distance", root: "nearest", tangent: "either", roots: { ends: "(]" },
   level: "ordinary", intersect,

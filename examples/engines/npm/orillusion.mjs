@@ -1,7 +1,8 @@
-// Orillusion (npm @orillusion/core), Ray.intersectSphere(o, dir, center, radius): "Determine whether a ray intersects the
-// sphere", "point of intersection" or null. Any directions: it divides by their square. Silent about tangents and about
-// origins inside; the code takes only the smaller root. The package is for browsers with WebGPU: the objects that it needs
-// while loading are faked here. Source: dist/types/math/Ray.d.ts.
+// Orillusion (npm @orillusion/core), Ray.intersectSphere(o, dir, center, radius): "Determine
+// whether a ray intersects the sphere", "point of intersection" or null. Directions of any length,
+// since it divides by their square. Silent about tangents and about origins inside; the code takes
+// only the smaller root. The package is for browsers with WebGPU; the objects that it needs while
+// loading are faked here. Source: dist/types/math/Ray.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 
 Object.assign(globalThis, { window: globalThis, navigator: { userAgent: "" },

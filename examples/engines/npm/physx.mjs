@@ -1,14 +1,15 @@
-// PhysX 4 (npm @cocos/physx: NVIDIA's C++ by Emscripten, in floats), PxScene::raycast with a PxSphereGeometry: hit.distance
-// of "unitDir: Normalized direction of the ray", up to 2^20. Of an origin inside "the reported hit distance is set to
-// zero": that is not a point on the sphere: it is returned as a miss, and the declared root is the first one, in front of
-// the origin. An end very close to the surface may count as on either side of it. Silent about tangents. Source: PhysX SDK
+// PhysX 4 (npm @cocos/physx: NVIDIA's C++ by Emscripten, in floats), PxScene::raycast with a
+// PxSphereGeometry: hit.distance of "unitDir: Normalized direction of the ray", up to 2^20. If the
+// origin is inside, "the reported hit distance is set to zero". 0 is not a point on the sphere; the
+// adapter returns it as a miss, and declares the first root, in front of the origin. An end very
+// close to the surface may count as on either side of it. Silent about tangents. Source: PhysX SDK
 // Guide, "Geometry Queries" (raycasts against spheres); PxScene.h.
 import { run } from "./raycheck_candidate.mjs";
 import initPhysX from "@cocos/physx";
 
 const PX = await new Promise((resolve) => {
   initPhysX().then((module) => {
-    delete module.then; // or await would never return
+    delete module.then; // with it, await would never return
     resolve({ module });
   });
 }).then(({ module }) => module);

@@ -1,7 +1,8 @@
-// Rapier (npm @dimforge/rapier3d-compat: Rust's parry in WebAssembly, in floats), Ball.castRay: the time of impact, "or -1 if
-// there is no intersection". "If `solid` is `false` then the ray will attempt to hit the boundary of a shape, even if its
-// origin already lies inside". Any directions: `maxToi` "limits the length of the ray to ray.dir.norm() * maxToi".
-// Silent about tangents. Source: geometry/shape.d.ts, geometry/collider.d.ts.
+// Rapier (npm @dimforge/rapier3d-compat: Rust's parry in WebAssembly, in floats), Ball.castRay: the
+// time of impact, "or -1 if there is no intersection". "If `solid` is `false` then the ray will
+// attempt to hit the boundary of a shape, even if its origin already lies inside". Directions of
+// any length: `maxToi` "limits the length of the ray to ray.dir.norm() * maxToi". Silent about
+// tangents. Source: geometry/shape.d.ts, geometry/collider.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import RAPIER from "@dimforge/rapier3d-compat";
 

@@ -1,6 +1,7 @@
-"""POV-Ray (Debian: povray), a finished renderer: povray.py DRIVER IMAGE. Its camera has a location and a picture plane
-spanned by `direction`, `right` and `up`; rays go from the location through the pixels' centres. Objects have ambient light
-only. Source: POV-Ray's reference, 3.4.2.1 (camera), 3.4.5.3 (sphere), 3.4.7.3 (ambient)."""
+"""POV-Ray (Debian: povray), a complete renderer: povray.py DRIVER IMAGE. Its camera has a location
+and a picture plane spanned by `direction`, `right` and `up`; rays go from the location through the
+pixels' centres. Objects have only ambient light. Source: POV-Ray's reference, 3.4.2.1 (camera),
+3.4.5.3 (sphere), 3.4.7.3 (ambient)."""
 import subprocess
 import sys
 

@@ -1,6 +1,7 @@
-"""pyrr (Debian python3-pyrr), geometric_tests.ray_intersect_sphere: "Returns the intersection points of a ray and a sphere",
-"Intersection points as a list of points", in no stated order: the nearest of them is returned. ray.create normalises the
-direction. Silent about tangents. Source: pyrr/geometric_tests.py, pyrr/ray.py.
+"""pyrr (Debian python3-pyrr), geometric_tests.ray_intersect_sphere: "Returns the intersection
+points of a ray and a sphere", "Intersection points as a list of points", in no stated order; the
+adapter returns the nearest. ray.create normalises the direction. Silent about tangents. Source:
+pyrr/geometric_tests.py, pyrr/ray.py.
 """
 import math
 

@@ -1,8 +1,9 @@
-"""Skyfield (Debian python3-skyfield), geometry.intersect_line_and_sphere: "Given a line through the origin (0,0,0) and an |xyz|
-endpoint, and a sphere [...], return the distance from the origin to their two intersections"; two nan for a miss;
-"if the line is tangent to the sphere, the two intersections will be at the same distance". Lines, not rays: the first is
-returned, which may be negative. The line starts at (0,0,0), so that the adapter has to subtract the origin from the centre.
-Source: skyfield/geometry.py.
+"""Skyfield (Debian python3-skyfield), geometry.intersect_line_and_sphere: "Given a line through the
+origin (0,0,0) and an |xyz| endpoint, and a sphere [...], return the distance from the origin to
+their two intersections"; two nan for a miss; "if the line is tangent to the sphere, the two
+intersections will be at the same distance". It intersects lines, not rays; the adapter returns the
+first distance, which may be negative. The line starts at (0,0,0), so that the adapter subtracts the
+origin from the centre. Source: skyfield/geometry.py.
 """
 import math
 

@@ -1,6 +1,6 @@
-// CesiumJS (npm @cesium/engine), czm_raySphereIntersectionInterval: "The intersection interval of the ray with the sphere", or
-// czm_emptyRaySegment. Any direction. Its structs are those of
-// Source/Shaders/Builtin/Structs. For an origin inside, the stop is the point on the sphere.
+// CesiumJS (npm @cesium/engine), czm_raySphereIntersectionInterval: "The intersection interval of
+// the ray with the sphere", or czm_emptyRaySegment. Directions of any length. Its structs are in
+// Source/Shaders/Builtin/Structs. If the origin is inside, the stop is the point on the sphere.
 // raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Constants/infinity.js
 // raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Structs/ray.js
 // raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Structs/raySegment.js

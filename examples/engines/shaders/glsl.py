@@ -1,6 +1,7 @@
-"""A shader's function in GLSL, run by OpenGL: python3 glsl.py FILE.glsl. All rays and one sphere are a compute shader's
-invocations, in floats. Without a display and a GPU, Mesa's llvmpipe runs it (Debian: python3-moderngl,
-libgl1-mesa-dri, libegl1); a GPU's driver may round differently, since GLSL allows divisions and roots errors of some ulp.
+"""A function in GLSL, run by OpenGL: python3 glsl.py FILE.glsl. A compute shader calls it for all
+rays and one sphere, in floats. Without a display and a GPU, Mesa's llvmpipe runs it (Debian:
+python3-moderngl, libgl1-mesa-dri, libegl1). A GPU's driver may round differently, since GLSL allows
+errors of some ulp in divisions and roots.
 """
 import os
 import pathlib
@@ -10,9 +11,9 @@ import sys
 import raycheck_candidate as rc
 import shader
 
-os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe only in this thread
+os.environ.setdefault("LP_NUM_THREADS", "0")  # run llvmpipe in this thread only
 os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
-import moderngl  # noqa: E402  (after its environment)
+import moderngl  # noqa: E402  (after its environment is set)
 
 _MAIN = """
 layout(local_size_x = 64) in;
@@ -37,7 +38,7 @@ def main(file):
 
     def intersect_batch(rays, sphere, _):
         for name, value in zip(("centre", "radius"), sphere):
-            if name in program:  # a shader that does not use it has none
+            if name in program:  # a shader that does not use an input has none
                 program[name] = value
         given = context.buffer(struct.pack(f"{6 * len(rays)}f", *shader.flat(rays)))
         answers = context.buffer(reserve=4 * len(rays))

@@ -1,5 +1,5 @@
-// The half-b form with unit directions, as in most shaders of signed-distance and toy tracers: h*h - c. The first root in
-// front of the origin.
+// The half-b form, h*h - c, with unit directions, as in most signed-distance shaders and small ray
+// tracers. Returns the first root in front of the origin.
 // raycheck directions unit
 // raycheck returns distance
 // raycheck root nearest

@@ -1,6 +1,7 @@
-"""A function in OpenCL C, run by OpenCL: python3 opencl.py FILE.cl. All rays and one sphere are a kernel's work-items, in
-floats. Without a GPU, PoCL runs it (Debian: python3-pyopencl, pocl-opencl-icd); a GPU may round differently, since
-OpenCL allows single-precision divisions and roots errors of 2.5 and 3 ulp.
+"""A function in OpenCL C, run by OpenCL: python3 opencl.py FILE.cl. A kernel calls it for all rays
+and one sphere, in floats. Without a GPU, PoCL runs it (Debian: python3-pyopencl, pocl-opencl-icd).
+A GPU may round differently, since OpenCL allows errors of 2.5 ulp in divisions and 3 ulp in roots
+of floats.
 """
 import os
 import pathlib
@@ -16,7 +17,7 @@ if not os.path.isdir("/sys"):  # in a sandbox that shows neither /sys nor /etc/O
     os.environ.setdefault("HWLOC_SYNTHETIC", "node:1(memory=2147483648) pu:1")
 os.environ.setdefault("POCL_CACHE_DIR", os.getcwd())
 os.environ.setdefault("POCL_MAX_PTHREAD_COUNT", "1")
-import pyopencl  # noqa: E402  (after its environment)
+import pyopencl  # noqa: E402  (after its environment is set)
 
 _MAIN = """
 kernel void ask(global const float* rays, global float* answers, float4 sphere) {

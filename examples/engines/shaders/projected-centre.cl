@@ -1,5 +1,5 @@
-// The projected-centre form with unit directions: the vector from the centre to the point of the line that is nearest to
-// it, whose square is subtracted from that of the radius. The first root in front of the origin.
+// The projected-centre form with unit directions. The squared distance of the centre from the line
+// is subtracted from the squared radius. Returns the first root in front of the origin.
 // raycheck directions unit
 // raycheck returns distance
 // raycheck root nearest

@@ -1,5 +1,5 @@
-// The textbook's quadratic, as in ray-tracing books and many shaders: a, b and c with the factors 2 and 4, any direction;
-// the first root in front of the origin. Tangents hit.
+// The textbook's quadratic, as in ray-tracing books and many shaders: a, b and c with the factors 2
+// and 4, directions of any length. Returns the first root in front of the origin. Tangents hit.
 // raycheck returns parameter
 // raycheck root nearest
 // raycheck tangent either

@@ -1,9 +1,11 @@
 """Shared code of glsl.py and opencl.py: reads a shader file and its declarations.
 
-The file has one function, float hit_sphere(origin, direction, centre, radius), that returns s, or a negative number for a
-miss. Comment lines `// raycheck WORD VALUE...` are its declarations, as keywords of raycheck_candidate.run (`directions unit`,
-`returns distance`, `roots [] 0 inf absolute none`). `// raycheck include PATH` prepends the shader in that file, which is
-searched in this folder, its parents and their npm/; in a JavaScript module the shader is the longest string.
+The file has one function, float hit_sphere(origin, direction, centre, radius), which returns s, or
+a negative number for a miss. Comment lines `// raycheck WORD VALUE...` are its declarations, with
+the keywords of raycheck_candidate.run (`directions unit`, `returns distance`, `roots [] 0 inf
+absolute none`). `// raycheck include PATH` prepends the shader in that file. The file is searched
+for in this folder, its parents and their npm/; in a JavaScript module, the shader is the longest
+string.
 """
 import pathlib
 import re

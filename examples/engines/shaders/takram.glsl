@@ -1,5 +1,6 @@
-// @takram/three-geospatial (npm; the atmosphere and clouds of three.js), raySphereFirstIntersection: the first root, or -1.
-// No documentation; unit directions by its code.
+// @takram/three-geospatial (npm; the atmosphere and clouds of three.js),
+// raySphereFirstIntersection: the first root, or -1. No documentation; its code requires unit
+// directions.
 // raycheck include node_modules/@takram/three-geospatial/src/shaders/raySphereIntersection.glsl
 // raycheck directions unit
 // raycheck returns distance

@@ -9,7 +9,7 @@
 namespace raycheck::reference {
 namespace {
 
-/// The inputs of a pair, and the answer's s.
+/// The number of inputs of a ray and a sphere, plus 1 for the answer's s.
 constexpr int kMostInputs = kCameraInputs + 1;
 
 constexpr EnclosureLift kUnchanged{kVariationBits};
@@ -47,7 +47,7 @@ std::vector<double> AnswerBox::sizes() const {
   return result;
 }
 
-/// The error that s may have.
+/// The error of s that is allowed.
 Enclosure AnswerBox::slack_of_answer() const {
   const auto largest = [](const auto& v) {
     Enclosure most(0);
@@ -65,8 +65,8 @@ Enclosure AnswerBox::slack_of_answer() const {
          Enclosure(around_.relative_change, kVariationBits);
 }
 
-/// The changes of the values with each input and with s, from slopes at lifted inputs and within
-/// `off` of s.
+/// How far each input and s can move the values, from the slopes at lifted inputs and within `off`
+/// of s.
 template <std::size_t N, class BaseLift, class Values>
 std::array<std::vector<Enclosure>, N> AnswerBox::reaches_of(const Values& values,
                                                             const BaseLift& base,
@@ -181,7 +181,7 @@ InputChange AnswerBox::change_at(const std::vector<double>& t) const {
   return change;
 }
 
-/// How the ray and the sphere meet when their inputs are changed; empty if balls cannot decide.
+/// How the ray and the sphere meet with changed inputs; empty if balls cannot decide.
 std::optional<Intersection> AnswerBox::intersect_changed(const InputChange& change) const {
   for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
     const auto at = with_pair(ChangedLift(bits, change), [&](const auto& pair) {
@@ -204,7 +204,7 @@ bool AnswerBox::is_right(const InputChange& change) const {
     const Enclosure off = abs(mu - Enclosure(*answer_, kFirstWitnessBits) / length);
     if ((off - slack_ / length).certain_sign().value_or(1) <= 0) return true;
     const Enclosure to_middle = abs(linear_coefficient(pair) - line.a * mu);
-    const Enclosure apart = line.a * off + to_middle + to_middle;  // times a
+    const Enclosure apart = line.a * off + to_middle + to_middle;  // a (|s - s'| + |s' - s''|)
     return (apart * apart - reach_ * line.a).certain_sign().value_or(1) <= 0;
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-// The neighbourhood of a ray, a sphere and an answer as the box [-1, 1]^n. Internal to reference/.
+// Maps the neighbourhood of a ray, a sphere and an answer to the box [-1, 1]^n. Internal to
+// reference/.
 
 #include <array>
 #include <cstddef>
@@ -13,9 +14,9 @@
 
 namespace raycheck::reference {
 
-/// A point t of the box changes input k by the share t_k of the relative change that the
-/// neighbourhood allows; its last coordinate moves the answer's s over its allowed range. For a
-/// miss s is 0 and does not move.
+/// A point t of the box changes input k by t_k times the relative change that the neighbourhood
+/// allows. The last coordinate of t moves the answer's s over its allowed range. For a miss, s is 0
+/// and does not move.
 class AnswerBox {
  public:
   AnswerBox(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
@@ -24,24 +25,25 @@ class AnswerBox {
   const Neighbourhood& around() const { return around_; }
   const std::optional<double>& answer() const { return answer_; }
   std::vector<double> middle() const;
-  /// The sizes of the inputs, without the answer's s.
+  /// The magnitudes of the inputs, without the answer's s.
   std::vector<double> sizes() const;
 
-  /// How a decider varies over the whole box, by the mean-value form: it encloses all values.
+  /// How a decider varies over the whole box. By the mean-value form, it encloses all values.
   const Variation& variation(Decider decider);
-  /// Vectors and lengths to compare where the neighbourhood is wide: f x g and r |g| (the line
-  /// misses if the vector is longer); and from the point at s to the centre, and r.
+  /// Vectors and lengths that are compared if the neighbourhood is wide. moment(): f x g and r |g|;
+  /// the line misses if the vector is longer. from_answer(): from the point at s to the centre, and
+  /// r.
   VectorAndLength moment() const;
   VectorAndLength from_answer() const;
   /// g, in doubles.
   std::array<double, 3> direction() const;
 
-  /// To first order about a point.
+  /// How a decider varies, to first order about a point.
   Variation variation_at(Decider decider, const std::vector<double>& t) const;
   Enclosure value_at(Decider decider, const std::vector<double>& t) const;
-  /// |b - a mu| at most, and the root of the discriminant at most, where the answer is near a
-  /// double root: both roots lie within sqrt(R/a) of s, where R is the change of |T - mu g|^2 - r^2
-  /// over the neighbourhood.
+  /// An upper bound on |b - a mu| and on the root of the discriminant if the answer is near a
+  /// double root. Then both roots lie within sqrt(R/a) of s, where R is the change of |T - mu g|^2
+  /// - r^2 over the neighbourhood.
   Enclosure most_near_double_root();
 
   InputChange change_at(const std::vector<double>& t) const;
@@ -49,7 +51,7 @@ class AnswerBox {
   bool is_right(const InputChange& change) const;
 
  private:
-  /// use(the ray's line and the sphere, lifted).
+  /// Calls `use` with the ray's line and the sphere, both lifted.
   template <class Lift, class Use>
   auto with_pair(const Lift& lift, Use use) const;
   template <std::size_t N, class BaseLift, class Values>
@@ -70,9 +72,9 @@ class AnswerBox {
   const scene::Sphere& sphere_;
   const Neighbourhood& around_;
   std::optional<double> answer_;
-  // For the answer's s: its slack, and the middle and half width of its allowed range.
+  // The allowed error of the answer's s, and the middle and half width of its allowed range.
   Enclosure slack_, middle_, half_width_;
-  Enclosure reach_;  ///< By how much |T - mu g|^2 - r^2 varies, to first order.
+  Enclosure reach_;  ///< R: the change of |T - mu g|^2 - r^2, to first order.
   std::array<std::optional<Variation>, kDeciderCount> variations_;
 };
 

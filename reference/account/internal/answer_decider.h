@@ -1,6 +1,6 @@
 #pragma once
 
-// The functions of changed inputs that decide if an answer about a ray and a sphere is right.
+// The functions of changed inputs that decide whether an answer for a ray and a sphere is right.
 // Internal to reference/.
 
 #include <cstddef>
@@ -13,15 +13,15 @@
 
 namespace raycheck::reference {
 
-/// Precisions of the balls that verify a witness.
+/// The first precision of the balls that verify a witness.
 inline constexpr int kFirstWitnessBits = 256;
 inline constexpr int kLastWitnessBits = 4096;
 
-/// Precision of the balls that enclose how a decider varies over a neighbourhood.
+/// The precision of the balls that enclose how a decider varies over a neighbourhood.
 inline constexpr int kVariationBits = 192;
 
-/// Lifts doubles to balls of the changed inputs, in order, starting at `first`; one serves one
-/// evaluation. Inputs beyond those of the change are unchanged.
+/// Lifts doubles to balls of the changed inputs, in order, starting at `first`. Use a new object
+/// for each evaluation. Inputs for which the change has no share are unchanged.
 class ChangedLift {
  public:
   using Kernel = EnclosureKernel;
@@ -43,18 +43,16 @@ class ChangedLift {
   mutable std::size_t next_;
 };
 
-/// The functions of the inputs that decide whether an answer is right: the coefficients, and for a
-/// hit at s, with mu g the vector from the origin to it: |T - mu g|^2 - r^2, which is 0 if s is a
-/// root; b - a mu, not negative if that is the smaller one; the same with s as answered; and a mu -
-/// 2 b, not negative if the other root (2 b/a - mu, by Vieta) is not positive.
+/// The functions of the inputs that decide whether an answer is right. For a hit at s, mu g is the
+/// vector from the origin to the point at s.
 enum class Decider {
   kDiscriminant,
   kConstant,
   kLinear,
-  kAtAnswer,
-  kBeforeMiddle,
-  kMiddleOffAnswer,
-  kOtherBehind
+  kAtAnswer,         ///< |T - mu g|^2 - r^2; 0 if s is a root.
+  kBeforeMiddle,     ///< b - a mu; not negative if s is the smaller root.
+  kMiddleOffAnswer,  ///< b - a mu, with s exactly as answered.
+  kOtherBehind       ///< a mu - 2 b; not negative if the other root, 2 b/a - mu, is not positive.
 };
 inline constexpr std::size_t kDeciderCount = 7;
 
@@ -65,7 +63,7 @@ typename K::FT in_multiples_of_g(const LineAndSphere<K>& pair, const typename K:
   return pair.line.is_unit ? FT(s / ray_length(pair.line)) : s;
 }
 
-/// From the point at s to the centre.
+/// The vector from the point at s to the centre.
 template <class K>
 typename K::Vector_3 from_point_at(const LineAndSphere<K>& pair, const typename K::FT& s) {
   return to_centre(pair) - in_multiples_of_g(pair, s) * pair.line.g;
@@ -96,16 +94,16 @@ typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typ
   }
 }
 
-/// A decider over the neighbourhood, a box: value + sum_k t_k reach_k, every t_k in [-1, 1],
-/// encloses its value where input k changes by the share t_k of its range; or, to first order
-/// only, value + sum_k (t_k - at_k) reach_k is its value near another point. The last t_k is for
+/// How a decider varies over the neighbourhood, a box. If input k changes by t_k, in [-1, 1], times
+/// its range, value + sum_k t_k reach_k encloses the decider's value. If `at` is set, value + sum_k
+/// (t_k - at_k) reach_k is its value near the point `at`, to first order only. The last t_k is for
 /// the answer's s.
 struct Variation {
   Enclosure value;
   std::vector<Enclosure> reach;
   Enclosure most = Enclosure(0);        ///< The sum of |reach|.
   std::vector<double> at = {};          ///< Empty: the middle of the box.
-  std::optional<Enclosure> range = {};  ///< Another enclosure of its values.
+  std::optional<Enclosure> range = {};  ///< Another enclosure of all values.
 
   bool may_be_positive() const { return (value + most).certain_sign().value_or(1) > 0; }
   bool may_be_at_least_zero() const { return (value + most).certain_sign().value_or(1) >= 0; }
@@ -123,7 +121,7 @@ inline Enclosure sum_of_sizes(const std::vector<Enclosure>& terms) {
   return sum;
 }
 
-/// `shift` plus or minus a variation, by `sign`.
+/// shift + sign * variation, for a sign of 1 or -1.
 inline Variation shifted(const Variation& variation, int sign, const Enclosure& shift) {
   Variation result = variation;
   if (sign < 0) {
@@ -135,7 +133,7 @@ inline Variation shifted(const Variation& variation, int sign, const Enclosure& 
   return result;
 }
 
-/// The same in doubles, as a share of its reach, rounded up.
+/// A variation divided by `most`, in doubles, rounded up.
 inline LinearForm linear_form(const Variation& variation) {
   const auto share = [&](const Enclosure& part) {
     return variation.most.certain_sign() == 1 ? (part / variation.most).upper() : 0;
@@ -150,8 +148,8 @@ inline LinearForm linear_form(const Variation& variation) {
 /// The number of successive linear programs.
 inline constexpr int kPrograms = 8;
 
-/// Where all of the variations, those that are known to first order, are least negative: a point of
-/// the box of that many dimensions.
+/// The point of the box at which the least of the variations is largest, to first order. Variations
+/// that are not finite do not count.
 inline LeastOptimum best_place(const std::vector<Variation>& all, std::size_t dimension) {
   const std::vector<double> flat(dimension);
   if (all.empty()) return {flat, 1, {}};
@@ -162,8 +160,8 @@ inline LeastOptimum best_place(const std::vector<Variation>& all, std::size_t di
   return highest_least(forms);
 }
 
-/// Whether their sum, each times its multiplier, is negative everywhere, so that at every point one
-/// of them is negative.
+/// Whether the sum of the variations, each times its multiplier, is negative everywhere. Then at
+/// every point one of the variations is negative.
 inline bool exclude_each_other(const std::vector<Variation>& all,
                                const std::vector<double>& multipliers) {
   Enclosure value(0);
@@ -177,7 +175,7 @@ inline bool exclude_each_other(const std::vector<Variation>& all,
   return (value + sum_of_sizes(reach)).certain_sign() == -1;
 }
 
-/// Whether their best place shows that.
+/// Whether the multipliers of the best place show that at every point one variation is negative.
 inline bool exclude_each_other(const std::vector<Variation>& all, const LeastOptimum& best) {
   return best.least < 0 && exclude_each_other(all, best.multipliers);
 }

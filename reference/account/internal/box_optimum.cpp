@@ -9,19 +9,20 @@
 namespace raycheck::reference {
 namespace {
 
-/// Pivots per variable, at most; rounding may make the method cycle.
+/// The largest number of pivots per variable. A limit is needed, since rounding may make the method
+/// cycle.
 constexpr std::size_t kPivotsEach = 8;
-/// Smaller coefficients, usually about 1, are rounding errors.
+/// Coefficients are usually about 1; those below this are taken for rounding errors.
 constexpr double kRounding = 0x1p-40;
 
-/// The largest z with w_i = form_i - z >= 0: every basic variable, z the first of them, as a linear
-/// form of those that are not, which are at one end of their range. Variables are t_1, ..., t_n in
-/// [-1, 1], w_1, ..., w_p >= 0, and z.
+/// Finds the largest z with w_i = form_i - z >= 0. Variables are t_1, ..., t_n in [-1, 1], w_1,
+/// ..., w_p >= 0, and z. Every basic variable, z the first of them, is kept as a linear form of the
+/// other variables, each of which is at one end of its range.
 class Simplex {
  public:
   explicit Simplex(const std::vector<LinearForm>& forms)
       : forms_(forms), n_(forms.front().slope.size()), value_(n_ + forms.size() + 1) {
-    // Starts from the best corner for the sum of the forms.
+    // Starts at the corner where the sum of the forms is largest.
     for (std::size_t k = 0; k < n_; ++k) {
       double sum = 0;
       for (const LinearForm& form : forms_) sum += form.slope[k];
@@ -57,7 +58,7 @@ class Simplex {
   std::size_t z() const { return value_.size() - 1; }
   std::ptrdiff_t end_of_t() const { return static_cast<std::ptrdiff_t>(n_); }
 
-  /// z = form_least - w_least, and w_i = form_i - form_least + w_least.
+  /// Starts with z = form_least - w_least and w_i = form_i - form_least + w_least.
   void start_from(std::size_t least, const std::vector<double>& corner) {
     free_.push_back(n_ + least);
     const LinearForm& first = forms_[least];
@@ -89,7 +90,7 @@ class Simplex {
     if (best == free_.size()) return false;
     const double direction = rows_[0][best] > 0 ? 1 : -1;
     double step = is_input(free_[best]) ? 2 : std::numeric_limits<double>::infinity();
-    std::size_t leaves = 0;  // none: z has no bounds
+    std::size_t leaves = 0;  // the row that leaves the basis; 0: none, since z has no bounds
     for (std::size_t i = 1; i < rows_.size(); ++i) {
       const double slope = direction * rows_[i][best];
       if (std::abs(slope) < kRounding) continue;
@@ -117,7 +118,7 @@ class Simplex {
     for (std::size_t i = 0; i < rows_.size(); ++i) value_[basic_[i]] += step * rows_[i][j];
   }
 
-  /// Row i's variable becomes one of those at an end, column j's a basic one.
+  /// Makes column j's variable basic, and row i's one of those at an end.
   void exchange(std::size_t i, std::size_t j) {
     std::vector<double>& row = rows_[i];
     const double pivot = row[j];
@@ -136,8 +137,8 @@ class Simplex {
 
   const std::vector<LinearForm>& forms_;
   std::size_t n_;
-  std::vector<double> value_;              ///< Of every variable.
-  std::vector<std::size_t> basic_, free_;  ///< Of the rows and of their columns.
+  std::vector<double> value_;              ///< The value of every variable.
+  std::vector<std::size_t> basic_, free_;  ///< The variables of rows and of columns.
   std::vector<std::vector<double>> rows_;
 };
 
@@ -155,9 +156,9 @@ std::vector<double> highest(const LinearForm& f) {
   return t;
 }
 
-/// At the optimum every t_k is at an end, by the sign of f + multiplier g, except for one that g =
-/// 0 sets: as the multiplier rises from minus infinity, they switch ends one by one, and g rises
-/// from its minimum.
+/// At the optimum one t_k is set by g = 0. Every other t_k is at the end that the sign of its slope
+/// in f + multiplier g says. As the multiplier rises from minus infinity, the t_k change their ends
+/// one by one, and g rises from its minimum.
 std::optional<BoxOptimum> highest_where_zero(const LinearForm& f, const LinearForm& g) {
   BoxOptimum result{highest(f), 0};
   std::vector<std::pair<double, std::size_t>> turns;

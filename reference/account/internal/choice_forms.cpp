@@ -5,9 +5,9 @@
 namespace raycheck::reference {
 namespace {
 
-/// `sphere` and `favourite` are lifts of two spheres, the latter called only if it matters; `off`
-/// is the distance of the favourite's root from the middle of its two roots, times a positive
-/// number, where it is not to be computed.
+/// The value of `what` in a condition. `sphere` and `favourite` return two lifted spheres;
+/// `favourite` is called only if needed. The signed distance of the favourite's root from the
+/// middle of its two roots, times a, is `off` if that is set, and is computed otherwise.
 template <class K, class Sphere, class Favourite>
 typename K::FT value_of(const ChoiceCondition& condition, const Line<K>& line, Sphere sphere,
                         Favourite favourite, const std::optional<Enclosure>& off) {
@@ -73,8 +73,8 @@ ChoiceForms::ChoiceForms(const ChoiceNumbers& inputs, const Part& part)
   }
 }
 
-/// The distance of the favourite's root from the middle, where its discriminant may vanish and the
-/// root has no derivative: an enclosure over the part.
+/// An enclosure of `off` (see value_of) over the part. It is empty if `off` can be computed: only
+/// if the favourite's discriminant may be 0 in the part, its root has no derivative.
 std::optional<Enclosure> ChoiceForms::some_off(const ChoiceCondition& condition) const {
   if (condition.what != ChoiceCondition::What::kOutside &&
       condition.what != ChoiceCondition::What::kBeforeMiddle) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The conditions on a ray and some spheres for one of them to be met first, over parts of a
+// The conditions under which a ray meets one of several spheres first, over parts of a
 // neighbourhood. Internal to reference/.
 
 #include <cstddef>
@@ -13,34 +13,39 @@
 
 namespace raycheck::reference {
 
-/// The inputs of a ray and two spheres.
+/// The number of inputs of a ray and two spheres.
 inline constexpr int kTwoSpheresInputs = kCameraInputs + kSphereInputs;
 
-/// A condition on a ray and a sphere: `sign` times `what` is not negative, or is positive. For the
-/// last three, with s at the sphere's `root` (-1 the smaller, 1 the larger) and s' at the
-/// favourite's, `what` is a positive number times: s - s'; or the sphere's quadratic at s' times
-/// minus `root`, and the middle of the sphere's roots minus s', which are both not negative if s -
-/// s' is not, and which need no root of the sphere's own.
+/// A condition on a ray and a sphere: `sign` times `what` is not negative, or is positive. Let s be
+/// the sphere's `root` (-1: the smaller, 1: the larger) and s' the root of the favourite.
 struct ChoiceCondition {
-  enum class What { kDiscriminant, kConstant, kLinear, kAfter, kOutside, kBeforeMiddle };
+  enum class What {
+    kDiscriminant,
+    kConstant,
+    kLinear,
+    kAfter,  ///< s - s', times a positive number.
+    // If s - s' is not negative, these two are not either; they need no root of the sphere.
+    kOutside,      ///< The sphere's quadratic at s', times -root and a positive number.
+    kBeforeMiddle  ///< The middle of the sphere's roots minus s', times a positive number.
+  };
   What what;
   std::size_t sphere;
   int sign = 1;
-  bool is_strict = false;
+  bool is_strict = false;  ///< Positive, not only not negative.
   std::size_t favourite = 0;
   int root = 0;
   int favourite_root = 0;
 };
 
-/// A part of the box [-1, 1]^n, a point t of which changes input k by t_k times the relative change
-/// of the neighbourhood: a box about a middle, or only the middle.
+/// A part of the box [-1, 1]^n: a box about a middle, or only the middle. A point t of the box
+/// changes input k by t_k times the relative change of the neighbourhood.
 struct Part {
   std::vector<double> middle;
   std::vector<double> half_width;  ///< Empty: only the middle.
 };
 
-/// Lifts doubles to balls of their values in a part of the neighbourhood: a ray's inputs first,
-/// then those from the index given to move_to().
+/// Lifts doubles to balls of their values in a part of the neighbourhood. It starts with the inputs
+/// of the ray, and goes on at the index given to move_to().
 class PartLift {
  public:
   using Kernel = EnclosureKernel;

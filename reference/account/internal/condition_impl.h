@@ -1,8 +1,9 @@
 #pragma once
 
-// Numbers that carry their derivatives: the formulas of reference/internal/formulas.h, run with
-// them, give exact derivatives by the chain rule (forward-mode automatic differentiation). And from
-// a quantity as a function of a lift to its condition number. Internal to reference/.
+// Numbers that carry their derivatives. With them, the formulas of reference/internal/formulas.h
+// give exact derivatives by the chain rule (forward-mode automatic differentiation). And functions
+// that compute the condition number of a quantity, given as a function of a lift. Internal to
+// reference/.
 
 #include <array>
 #include <bit>
@@ -20,8 +21,8 @@
 
 namespace raycheck::reference {
 
-/// A value and its derivatives by at most N inputs, each a T that encloses the true one. A bit set
-/// says which inputs the value depends on; derivatives by the others are 0 and not stored, which
+/// A value and its derivatives by at most N inputs, each a T that encloses the true number. A bit
+/// set says which inputs the value depends on. The other derivatives are 0 and not stored, which
 /// saves most of the work.
 template <class T, int N>
 class Dual {
@@ -111,8 +112,8 @@ class Dual {
   std::array<T, N> derivatives_;  ///< Valid only for inputs in depends_on_.
 };
 
-/// Lifts doubles to duals: each input that it lifts becomes the next one to differentiate by. It
-/// counts them, so use one lift for one evaluation, and lift each input once.
+/// Lifts doubles to duals. Each lifted double becomes the next input to differentiate by; use a new
+/// lift for each evaluation, and lift each input once.
 template <class BaseLift, int N>
 class DualLift {
  public:
@@ -125,7 +126,7 @@ class DualLift {
 
   Number operator()(double value) const { return input(base_(value)); }
   Number constant(double value) const { return Number(base_.constant(value)); }
-  /// An input that is itself the result of earlier steps.
+  /// Lifts an input that is the result of earlier steps.
   Number input(const Base& value) const {
     inputs_[static_cast<std::size_t>(count_)] = value;
     return Number::input(value, count_++);
@@ -135,7 +136,7 @@ class DualLift {
   }
 
   const BaseLift& base() const { return base_; }
-  /// How many inputs were lifted.
+  /// The number of inputs that were lifted.
   int count() const { return count_; }
   const Base& input_value(int k) const { return inputs_[static_cast<std::size_t>(k)]; }
 
@@ -223,11 +224,13 @@ Sensitivity<typename Lift::Base> sensitivity(const Lift& lift, const CGAL::Vecto
 /// The condition number; empty if the intervals are too wide.
 std::optional<double> narrow_condition(const Sensitivity<Interval>& sensitivity);
 
-/// Precisions of the balls: the first, and the last, past which a width is taken to be infinite.
+/// The first and the last precision of the balls. If the last is not enough, the result is
+/// infinite.
 inline constexpr int kFirstConditionBits = 128;
 inline constexpr int kLastConditionBits = 1 << 16;
 
-/// The same for balls; is_zero() says whether q is exactly 0, and is called if its ball holds 0.
+/// The condition number, from balls; empty if they are too wide. is_zero() says whether q is
+/// exactly 0; it is called if the ball of q contains 0.
 template <class IsZero>
 std::optional<double> narrow_condition(const Sensitivity<Enclosure>& sensitivity, IsZero is_zero) {
   const auto& [size, sum] = sensitivity;
@@ -244,8 +247,8 @@ std::optional<double> narrow_condition(const Sensitivity<Enclosure>& sensitivity
   return bound;
 }
 
-/// The condition number of quantity(lift), a dual number or a vector of them; quantity is called
-/// with a DualLift of N inputs over intervals, and then over balls.
+/// The condition number of quantity(lift), a dual number or a vector of them. `quantity` is called
+/// with a DualLift of N inputs over intervals, then over balls.
 template <int N, class Quantity, class IsZero>
 double condition_number(Quantity quantity, IsZero is_zero) {
   {

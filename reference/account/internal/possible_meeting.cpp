@@ -21,8 +21,8 @@ struct ChangedIntervalLift {
   Interval factor;
 };
 
-/// Whether a ray of the neighbourhood may hit or miss a sphere, and where: bounds of s times a
-/// positive number that depends on the ray only.
+/// Whether a ray of the neighbourhood may hit or miss a sphere, and bounds on s times a positive
+/// number that depends only on the ray.
 struct PossibleMeeting {
   bool may_hit = false;
   bool may_miss = true;
@@ -30,14 +30,14 @@ struct PossibleMeeting {
   double latest = 0;
 };
 
-/// Bounds of the largest |coordinate|.
+/// Bounds on the largest |coordinate|.
 Interval largest(const IntervalKernel::Vector_3& v) {
   const Interval size[] = {CGAL::abs(v.x()), CGAL::abs(v.y()), CGAL::abs(v.z())};
   return {std::max({size[0].inf(), size[1].inf(), size[2].inf()}),
           std::max({size[0].sup(), size[1].sup(), size[2].sup()})};
 }
 
-/// A tangent may become a hit or a miss.
+/// How a ray may meet a sphere. A tangent counts as a possible hit and a possible miss.
 PossibleMeeting possible_meeting(const LineAndSphere<IntervalKernel>& pair, scene::Root root) {
   const Interval squared_root = discriminant(pair);
   if (squared_root.sup() < 0) return {};
@@ -50,7 +50,7 @@ PossibleMeeting possible_meeting(const LineAndSphere<IntervalKernel>& pair, scen
                      (!(c.sup() < 0) && !(b.inf() > 0));
   const auto may_be_at = [&](const Interval& s) {
     meeting.may_hit = true;
-    // Where intervals overflow, a bound may be NaN, and is then no bound.
+    // If intervals overflow, a bound may be NaN; 0 or infinity is then used.
     meeting.earliest = std::min(meeting.earliest, s.inf() >= 0 ? s.inf() : 0);
     meeting.latest = s.sup() >= meeting.latest   ? s.sup()
                      : s.sup() <= meeting.latest ? meeting.latest
@@ -79,7 +79,7 @@ bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
   const Interval gap = is_beyond ? s - Interval(roots.sup()) : Interval(roots.inf()) - s;
   const Interval scale = line.is_unit ? Interval(1) : largest(line.g);
   const Interval slack = (s + largest(to_centre(pair)) / scale) * Interval(around.relative_change);
-  // A function that is 0 at a root varies by at most half the interval's width.
+  // A function that is 0 at a root varies by at most half of the interval's width.
   const Interval at_answer = value_of(Decider::kAtAnswer, pair, s);
   const Interval reach = Interval(at_answer.sup()) - Interval(at_answer.inf());
   const Interval apart = gap / length;
@@ -93,7 +93,7 @@ Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> sphere
   const auto line = line_of(lift, ray.source());
   std::vector<PossibleMeeting> meetings;
   meetings.reserve(spheres.size());
-  // Nothing behind the first certain hit is met first.
+  // A sphere behind the first certain hit is not met first.
   double end = std::numeric_limits<double>::infinity();
   const bool has_favourite = claim.what == FirstMet::What::kSphere;
   for (std::size_t k = 0; k < spheres.size(); ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a ray of a neighbourhood may meet spheres, by intervals. Internal to reference/.
+// Finds by intervals how rays of a neighbourhood may meet spheres. Internal to reference/.
 
 #include <cstddef>
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace raycheck::reference {
 
-/// Whether intervals show that an answer, in the sense of right_nearby, is right nowhere.
+/// Whether intervals show that an answer is right nowhere in the neighbourhood (see right_nearby).
 bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
                        const Neighbourhood& around, const std::optional<double>& answer);
 
-/// Whether a claim is right everywhere in a neighbourhood, or nowhere, if intervals can decide; and
-/// the spheres that may make it wrong or right somewhere.
+/// Whether a claim is right everywhere or nowhere in a neighbourhood, if intervals can decide; and
+/// the spheres that may make the claim wrong or right somewhere.
 struct Contenders {
   std::optional<bool> is_right;
   std::vector<std::size_t> spheres;

@@ -25,7 +25,7 @@ const std::vector<unsigned>& trial_primes() {
   return primes;
 }
 
-/// n = square^2 * rest, with every square that trial division and a last square root find.
+/// n = square^2 * rest. Squares are found by trial division and by a square root of what is left.
 struct SquareFactor {
   Integer square{1};
   Integer rest{1};
@@ -104,7 +104,7 @@ RadicalSum operator*(const RadicalSum& a, const RadicalSum& b) {
   RadicalSum result;
   for (const auto& [radicand_a, coefficient_a] : a.terms_) {
     for (const auto& [radicand_b, coefficient_b] : b.terms_) {
-      // sqrt(g x) sqrt(g y) = g sqrt(x y), without factoring again.
+      // sqrt(g x) sqrt(g y) = g sqrt(x y), so that x y need not be factored again.
       const Integer common = mp::gcd(radicand_a, radicand_b);
       result.add((radicand_a / common) * (radicand_b / common),
                  coefficient_a * coefficient_b * Rational(common));
@@ -127,7 +127,7 @@ std::optional<Rational> RadicalSum::rational() const {
   return terms_.begin()->second;
 }
 
-/// sqrt(p + q sqrt(m)) = sqrt((p + t)/2) +- sqrt((p - t)/2) where t = sqrt(p^2 - q^2 m) is
+/// By sqrt(p + q sqrt(m)) = sqrt((p + t)/2) +- sqrt((p - t)/2), if t = sqrt(p^2 - q^2 m) is
 /// rational.
 std::optional<RadicalSum> RadicalSum::square_root() const {
   if (const auto value = rational()) return square_root(*value);

@@ -9,9 +9,9 @@
 
 namespace raycheck::reference {
 
-/// A sum of rationals times square roots of distinct positive integers, square-free as far as trial
-/// division shows: the symbolic number type of the formulas. Division is by single terms only,
-/// which is all that the formulas need. Internal to reference/.
+/// The symbolic number type of the formulas: a sum of rationals times square roots of distinct
+/// positive integers, which are square-free as far as trial division shows. The divisor must be a
+/// single term, which is enough for the formulas. Internal to reference/.
 class RadicalSum {
  public:
   RadicalSum() = default;
@@ -30,7 +30,7 @@ class RadicalSum {
 
   /// The value, if no square root is left.
   std::optional<Rational> rational() const;
-  /// Its square root, if that is again a sum of at most two such terms.
+  /// The square root, if it is also a sum of at most two such terms.
   std::optional<RadicalSum> square_root() const;
   bool is_zero() const { return terms_.empty(); }
   bool is_one_term() const { return terms_.size() == 1; }
@@ -39,7 +39,8 @@ class RadicalSum {
  private:
   void add(const Integer& radicand, const Rational& coefficient);
 
-  /// Coefficient by radicand, larger radicands first; 1 is the rational part. No coefficient is 0.
+  /// The coefficient of each radicand, larger radicands first; that of 1 is the rational part. No
+  /// coefficient is 0.
   std::map<Integer, Rational, std::greater<>> terms_;
 };
 
@@ -47,11 +48,11 @@ inline RadicalSum operator+(RadicalSum a, const RadicalSum& b) { return a += b; 
 inline RadicalSum operator-(RadicalSum a, const RadicalSum& b) { return a -= b; }
 inline RadicalSum operator/(RadicalSum a, const RadicalSum& b) { return a /= b; }
 
-// The roots that a camera adjoins, as in reference/internal/kernels.h.
+// The square roots of a camera's field, as in reference/internal/kernels.h.
 RadicalSum first_root(const RadicalSum& rational);
 inline RadicalSum second_root(const RadicalSum& rational) { return first_root(rational); }
 
-/// b sqrt(c) + a; the root is evaluated if c's is a RadicalSum.
+/// b sqrt(c) + a; the root is evaluated if sqrt(c) is a RadicalSum.
 ClosedForm closed_form_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c);
 
 }  // namespace raycheck::reference

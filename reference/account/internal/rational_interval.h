@@ -1,7 +1,7 @@
 #pragma once
 
-// The number type of proofs: the formulas of reference/internal/formulas.h over intervals with
-// rational ends, which any program with integers can recompute. Internal to reference/.
+// The number type of proofs: intervals with rational ends. With them, every program that has
+// integers can recompute the formulas of reference/internal/formulas.h. Internal to reference/.
 
 #include <algorithm>
 #include <cstdint>
@@ -35,9 +35,9 @@ inline std::int64_t exponent_of(const Rational& x) {
          size(boost::multiprecision::denominator(x));
 }
 
-/// Every number from low to high. Only square roots are rounded: they are enclosed to `bits`
-/// significant bits (exact if they have no more); a result's `bits` are the larger of the
-/// operands'.
+/// All numbers from low to high. Only square roots are rounded: they are enclosed to `bits`
+/// significant bits, and are exact if they have no more. The `bits` of a result are the larger of
+/// those of its operands.
 class RationalInterval {
  public:
   RationalInterval() = default;
@@ -65,7 +65,7 @@ class RationalInterval {
         std::minmax({a.low_ * b.low_, a.low_ * b.high_, a.high_ * b.low_, a.high_ * b.high_});
     return {low, high, bits};
   }
-  /// Throws std::domain_error when the divisor may be 0.
+  /// Throws std::domain_error if the divisor may be 0.
   friend RationalInterval operator/(const RationalInterval& a, const RationalInterval& b) {
     if (b.low_ <= 0 && b.high_ >= 0) throw std::domain_error("division by what may be 0");
     return a * RationalInterval(1 / b.high_, 1 / b.low_, b.bits_);
@@ -94,7 +94,7 @@ struct RationalLift {
 inline RationalInterval first_root(const RationalInterval& radicand) {
   const Rational& x = radicand.low();
   const int bits = radicand.bits();
-  // sqrt(x) = sqrt(x 4^shift) / 2^shift, and x 4^shift has at least 2 bits bits.
+  // sqrt(x) = sqrt(x 4^shift) / 2^shift, and x 4^shift has at least 2 * bits bits.
   const std::int64_t shift = bits + 1 - exponent_of(x) / 2;
   const Rational scaled = x * power_of_two(2 * shift);
   const Integer whole = floor_of(scaled);

@@ -12,11 +12,11 @@ namespace {
 
 using Numbers = std::array<double, 3>;
 
-/// How many times each input is set to where the vector is shortest.
+/// The number of times that each input is set to the value at which the vector is shortest.
 constexpr int kSweeps = 40;
-/// How many sectors are searched, at most.
+/// The largest number of sectors that are searched.
 constexpr std::size_t kMostSectors = 200;
-/// Exceeds the rounding error of a unit vector's length.
+/// A factor that exceeds the rounded length of a unit vector.
 constexpr double kRoom = 1 + 0x1p-40;
 
 Enclosure exact(double x) { return Enclosure(x, kVariationBits); }
@@ -33,10 +33,10 @@ Variation sum_of(std::initializer_list<std::pair<double, const Variation*>> term
   return sum;
 }
 
-/// In doubles, in units of `unit`.
+/// x / unit in doubles.
 double in_units(const Enclosure& x, const Enclosure& unit) { return (x / unit).upper(); }
 
-/// Two directions at right angles to a third and to each other.
+/// Two directions at right angles to the axis and to each other, and the normalised axis.
 std::array<Numbers, 3> frame_about(Numbers axis) {
   const auto normalise = [](Numbers& v) {
     const double size = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});

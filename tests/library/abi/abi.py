@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 HEADERS = HERE.parent.parent.parent / "include/raycheck"
 SKIPPED = 77
 ACCEPT = "./run abi --accept"
-# Nothing that depends on the machine, and no type that the public headers do not reach.
+# Leaves out all that depends on the machine, and types that the public headers do not reach.
 PLAIN = ["--drop-private-types", "--drop-undefined-syms", "--exported-interfaces-only",
          "--no-architecture", "--no-comp-dir-path", "--no-corpus-path", "--no-elf-needed",
          "--no-parameter-names", "--no-show-locs", "--no-write-default-sizes"]
@@ -43,7 +43,7 @@ def difference(before, now, *options):
     """What abidiff says; empty where there is nothing to say."""
     result = subprocess.run(["abidiff", "--leaf-changes-only", "--no-show-locs", *options, before, now], text=True,
                             capture_output=True)
-    if result.returncode & 3:  # not of the interface: abidiff itself or its arguments
+    if result.returncode & 3:  # an error in abidiff or its arguments, not a difference of the interfaces
         sys.exit(f"abidiff: {result.stderr}{result.stdout}")
     return result.stdout.strip() if result.returncode else ""
 

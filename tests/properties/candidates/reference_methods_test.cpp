@@ -1,4 +1,4 @@
-// The reference as methods: they keep their promises, and fail at their documented limits.
+// The methods made of the reference keep their promises, and fail at their documented limits.
 
 #include "properties/candidates/reference_methods.h"
 
@@ -20,13 +20,13 @@ using scene::Tangent;
 
 const Sphere kUnitSphere = {{0, 0, 0}, 1};
 
-/// The excess of a certified error over a bound that the truth meets exactly: the width of
-/// enclosures of ExactRay::kValueBits.
+/// If the true error equals a bound, the certified error exceeds the bound by at most this: the
+/// width of enclosures of ExactRay::kValueBits.
 constexpr double kCertifiedSlack = 0x1p-14;
 
 class EachExactMethod : public testing::TestWithParam<const fast::IntersectMethod*> {};
 
-/// Under every convention, and within its bound on s.
+/// Each method keeps them under every convention, and within its bound on s.
 TEST_P(EachExactMethod, KeepsTheLawsOnOrdinaryCases) {
   Candidate candidate = fast_candidate(fast::kDirectRays, *GetParam());
   auto& bound = candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)];
@@ -38,7 +38,7 @@ TEST_P(EachExactMethod, KeepsTheLawsOnOrdinaryCases) {
   }
 }
 
-/// On small integers, including ties; over the whole range if it promises that.
+/// On small integers, including ties; if the method promises it, over the whole range of doubles.
 TEST_P(EachExactMethod, KeepsTheClass) {
   for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kAll}) {
     if (sizes == Sizes::kAll && !GetParam()->exact_class) continue;

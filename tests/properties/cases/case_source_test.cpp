@@ -1,5 +1,5 @@
-// The cases of sources: a generator that never makes its kind of case tests nothing. (For
-// severities see families_test.cpp.) How cases are shrunk, and scenes varied.
+// Sources make the kinds of cases for which they exist (families_test.cpp tests severities); and
+// tests of shrinking cases and varying scenes.
 
 #include "properties/cases/case_source.h"
 
@@ -42,7 +42,7 @@ Mixture count(const CaseSource& source, int severity, std::uint64_t seeds) {
   return counts;
 }
 
-/// Rays that meet two spheres first at the same parameter.
+/// The number of rays that meet two spheres first, at the same parameter.
 int count_ties(const CaseSource& source, std::uint64_t seeds) {
   int ties = 0;
   const Candidate no_functions;
@@ -187,7 +187,7 @@ TEST(Shrink, OffersOnlySimplerFiniteDoubles) {
   }
 }
 
-/// Follows the first offers that satisfy `keeps` to the end.
+/// Replaces the value by the first simpler one that satisfies `keeps`, as often as there is one.
 double shrunk(double value, const std::function<bool(double)>& keeps) {
   for (;;) {
     const auto offers = simpler(value);
@@ -217,7 +217,7 @@ TEST(Shrink, FindsTheSmallestImageByHalving) {
   EXPECT_EQ(the_case.scene.camera->width, 46341);
 }
 
-/// So large that copies with one simpler number each do not fit into memory.
+/// The scene is so large that copies with one simpler number each do not fit into memory.
 TEST(Shrink, TakesHalvesOfManySpheresFirstAndGivesUpWhereAllAreNeeded) {
   Case many;
   many.scene.rays = {{{}, {0, 0, 1}}};
@@ -273,8 +273,8 @@ TEST(Shrink, EndsAtAPlainCaseByValidOnes) {
 constexpr std::uint64_t kSeeds = 200;
 constexpr std::array kAll = {Variation::kScale, Variation::kSize, Variation::kSpheres};
 
-/// The eye is off the origin; four spheres that are mirror images, one above, one below, and one
-/// that hides another.
+/// A scene whose eye is not at the origin, with four spheres that are mirror images, one above, one
+/// below, and one that hides another.
 Scene mirrored() {
   Scene result;
   result.camera = scene::Camera{{1, 2, 3}, {1, 2, 2}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 21, 21};
@@ -287,8 +287,8 @@ Scene mirrored() {
   return result;
 }
 
-/// Four spheres in the corners, one in the middle of the left border, two more on it, two on the
-/// top.
+/// A scene with four spheres in the corners, one in the middle of the left border, two more on that
+/// border, and two on the top border.
 Scene bordered() {
   Scene result;
   result.camera = scene::Camera{{}, {0, 0, -1}, {0, 1, 0}, -1, {}, -1.75, 1.25, -1, 1.5, 13, 13};

@@ -6,7 +6,7 @@
 
 namespace raycheck::properties {
 
-/// direct/cross, which also draws small images, as renderers do.
+/// direct/cross, which also draws small images like a renderer.
 inline Candidate drawing_candidate() {
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
   candidate.most_image_pixels = 1 << 14;

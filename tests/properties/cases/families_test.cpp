@@ -1,5 +1,5 @@
-// Whether the severity of a source sets the documented quantity, measured from the doubles of its
-// cases with enclosures, never with the generator's arithmetic.
+// The severity of a source sets the documented quantity. Enclosures measure it from the doubles of
+// the cases, never with the generator's arithmetic.
 
 #include "properties/cases/case_source.h"
 #include "properties/trial.h"
@@ -16,7 +16,8 @@ using namespace reference;
 using scene::Camera;
 using scene::Sphere;
 
-/// Keeps short products of doubles within a factor of 2^50 of each other exact.
+/// With this precision, short products of doubles are exact if the doubles are within a factor of
+/// 2^50 of each other.
 constexpr int kSeverityBits = 512;
 constexpr double kUnitRoundoff = 0x1p-53;
 
@@ -26,32 +27,32 @@ Enclosure3 lift(const Triple& v) {
   return {lift(v.x), lift(v.y), lift(v.z)};
 }
 
-/// The quantity of the dial, in one place of a case, and the most by which the rounding of the
-/// case's numbers may move it: where that exceeds the value of the severity, it limits the test.
+/// The quantity that severity sets, at one place of a case, and the largest change of it by
+/// rounding the case's numbers. If that change exceeds the value of the severity, it limits the
+/// test.
 struct Measured {
   Enclosure value;
   double noise = 0;
 };
 
-/// Factors for the effect of two roundings.
+/// Factors that allow for two roundings.
 constexpr double kBelow = 1 - 0x1p-40;
 constexpr double kAbove = 1 + 0x1p-40;
 
-/// A source with a severity k that sets a value to base^k (or its inverse, or either) up to a
-/// factor.
+/// A source whose severity k sets a value to base^k (or its inverse, or either), up to a factor.
 struct SeverityRow {
   std::string_view family;
   enum class Sets { kPower, kInverse, kEither } sets;
-  double least;  ///< Factor of the power that values are at least,
-  double most;   ///< and at most.
-  int highest;   ///< Severities above are tested separately.
+  double least;  ///< Values are at least this times the power.
+  double most;   ///< Values are at most this times the power.
+  int highest;   ///< Higher severities are tested separately.
   std::vector<Measured> (*measure)(const Case&);
 };
 
 using Sets = SeverityRow::Sets;
 void PrintTo(const SeverityRow& row, std::ostream* out) { *out << row.family; }
 
-/// Severities to try: 0, `highest`, and others between, 16 steps at the most.
+/// Severities to try: 0, `highest`, and others between, in at most 16 steps.
 std::vector<int> severities(int highest) {
   std::vector<int> result;
   for (int k = 0; k < highest; k += std::max(1, highest / 16)) result.push_back(k);
@@ -95,7 +96,8 @@ void expect_dial(const SeverityRow& row) {
   }
 }
 
-/// The number of rays that start outside a sphere or inside, towards its centre or away from it.
+/// The numbers of rays that start outside or inside a sphere, and point towards its centre or away
+/// from it.
 struct Sides {
   std::array<int, 4> counts = {};
 
@@ -124,7 +126,7 @@ struct RayMeeting {
   Enclosure distance;    ///< |T|
   Enclosure axial;       ///< T.d/|d|
   Enclosure impact;      ///< |T x d|/|d|
-  Enclosure half_chord;  ///< sqrt(r^2 - impact^2), of lines that meet the sphere
+  Enclosure half_chord;  ///< sqrt(r^2 - impact^2), if the line meets the sphere
   Enclosure radius;
 };
 RayMeeting meeting(const scene::Ray& ray, const Sphere& sphere) {
@@ -139,7 +141,7 @@ RayMeeting meeting(const scene::Ray& ray, const Sphere& sphere) {
   return m;
 }
 
-/// value(meeting) of each sphere, with the same noise.
+/// value(meeting) for each sphere, all with this noise.
 template <class Value>
 std::vector<Measured> of_each_sphere(const Case& the_case, double noise, Value value) {
   std::vector<Measured> result;
@@ -162,7 +164,7 @@ std::vector<Measured> tangency(const Case& the_case) {
                         [](const RayMeeting& m) { return share_off(m.impact, m.radius); });
 }
 
-/// Over the power of two below the radius.
+/// Distances from tangency, divided by the power of two below the radius.
 std::vector<Measured> tangent_ulps(const Case& the_case) {
   return of_each_sphere(the_case, 0, [](const RayMeeting& m) {
     return abs(m.impact - m.radius) / lift(std::ldexp(1.0, std::ilogb(m.radius.lower())));
@@ -184,7 +186,7 @@ std::vector<Measured> horizon(const Case& the_case) {
                         [](const RayMeeting& m) { return m.distance / m.radius - Enclosure(1); });
 }
 
-/// The parts of the differences of centres that lie along the ray.
+/// The differences of centres, along the ray.
 std::vector<Measured> coincident(const Case& the_case) {
   std::vector<Measured> result;
   const auto& spheres = the_case.scene.spheres;
@@ -203,7 +205,7 @@ std::vector<Measured> far_world(const Case& the_case) {
   return {{norm(lift(ray_of(the_case).origin))}};
 }
 
-/// The longest length; half the smallest double is lost in each rounding.
+/// The longest length. Each rounding loses at most half the smallest double.
 std::vector<Measured> longest(const std::vector<Enclosure>& lengths) {
   Enclosure most = lengths.front();
   for (const Enclosure& x : lengths) {
@@ -256,7 +258,7 @@ std::vector<Measured> image_size(const Case& the_case) {
   return {{lift(static_cast<double>(camera_of(the_case).width))}};
 }
 
-/// |C - P| and r of each sphere, P the exact point of the first pixel.
+/// |C - P| and r of a sphere, where P is the exact point of the first pixel.
 struct PixelMeeting {
   Enclosure to_centre, axial, radius;
   double noise;  ///< The generator's P is off by some roundings of |E| and |P - E|.
@@ -284,7 +286,7 @@ std::vector<Measured> near_plane(const Case& the_case) {
   return result;
 }
 
-/// A share of 10^-k is between 0.4 and 0.9 of it.
+/// share_of() is 0.4 to 0.9 times 10^-k.
 const SeverityRow kRows[] = {
     {"distance", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, distance},
     {"tangency", Sets::kInverse, 0.4, 0.9, 16, tangency},
@@ -339,7 +341,7 @@ TEST(FamilyHighest, OfSurfaceStartsExactlyOnIt) {
       const RayMeeting m = meeting(ray_of(the_case), sphere);
       EXPECT_EQ((dot(m.T, m.T) - m.radius * m.radius).certain_sign(), 0);
       ++(m.axial.certain_sign() == 1 ? entering : leaving);
-      // r^2 is not a double, so that code that squares r rounds.
+      // r^2 is not a double, so code that squares r rounds.
       full_width += std::fma(sphere.radius, sphere.radius, -sphere.radius * sphere.radius) != 0;
     }
   });

@@ -7,7 +7,7 @@
 
 namespace raycheck::properties {
 
-/// It computes whole rows, and does not get larger images.
+/// It computes whole rows, so it does not get larger images.
 inline constexpr std::int64_t kMostCertifiedPixelsAcross = 1 << 12;
 
 /// A row of the image.
@@ -26,8 +26,8 @@ inline Row seen_row(const reference::Visibility& visibility, std::int64_t j) {
   return row;
 }
 
-/// Certified visibility (reference/visibility/visibility.h) as a candidate, `certified`, with only
-/// `visible`, by a plan with these `items`. It promises every decision.
+/// Certified visibility (reference/visibility/visibility.h) as a candidate, `certified`. It has
+/// only `visible`, uses a plan with these `items`, and promises every decision.
 inline Candidate certified_candidate(const scene::PlanItems& items = {}) {
   Candidate candidate;
   candidate.name = "certified";

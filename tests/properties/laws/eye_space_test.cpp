@@ -1,5 +1,5 @@
-// On every source of cameras the bounds of scene::EyeSpace hold the exact values, and those of
-// reference/visibility/visibility_kernel.h on E and E_m do.
+// On every source with cameras, the bounds of scene::EyeSpace contain the exact values, and the
+// bounds E and E_m of reference/visibility/visibility_kernel.h hold.
 
 #include "scene/plan/eye_space.h"
 
@@ -28,13 +28,13 @@ template <class Triple>
 Enclosure3 exactly3(const Triple& v) {
   return {exactly(v.x), exactly(v.y), exactly(v.z)};
 }
-/// In two factors, since the power may be outside the range of doubles.
+/// The power is made of two factors, because it may be outside the range of doubles.
 Enclosure power_of_two(int exponent) {
   return exactly(std::ldexp(1.0, exponent / 2)) * exactly(std::ldexp(1.0, exponent - exponent / 2));
 }
 
-/// Compares bounds times 2^exponent with the exact value, given as an enclosure of 256 bits, which
-/// may exceed an end by its width.
+/// Compares bounds times 2^exponent with the exact value, an enclosure of 256 bits, which may
+/// exceed an end by its width.
 void expect_holds(const Bounds& bounds, int exponent, const Enclosure& exact) {
   ASSERT_LE(bounds.low, bounds.high);
   const auto at = [exponent](double end) { return exactly(end) * power_of_two(exponent); };
@@ -46,7 +46,7 @@ void expect_holds(const Bounds& bounds, int exponent, const Enclosure& exact) {
   }
 }
 
-/// The number of values with both ends known, and with 10 digits.
+/// The number of values that have two ends, and the number that have 10 digits.
 struct Known {
   int all = 0, finite = 0, to_ten_digits = 0;
 
@@ -110,7 +110,8 @@ TEST(EyeSpace, BoundsTheExactValues) {
   }
 }
 
-/// A case's spheres, moved and resized in 19 ways: more than two vectors of any target, and some.
+/// A scene with its spheres moved and resized in 19 ways: more spheres than two vectors of any
+/// target hold.
 scene::Scene with_more_spheres(scene::Scene scene) {
   const std::vector<scene::Sphere> given = scene.spheres;
   const scene::Point3 eye = scene.camera->eye;
@@ -144,7 +145,7 @@ TEST(Plan, OfASphereDoesNotDependOnOtherSpheresOnAnyTarget) {
         EXPECT_EQ(plan(), best);
         hwy::SetSupportedTargetsForTest(0);
       }
-      // Those that do not fill a vector are planned one by one.
+      // Spheres that do not fill a vector are planned one by one.
       for (std::size_t k = 0; k < best.size(); ++k) {
         std::rotate(scene.spheres.begin(), scene.spheres.begin() + 1, scene.spheres.end());
         EXPECT_EQ(plan().back(), best[k]);
@@ -160,7 +161,7 @@ struct Exact {
   Enclosure b, disc;
 };
 
-/// A double of the kernel's formulas, fused as vectors have it, or not.
+/// A double in the kernel's formulas, with or without fused operations.
 template <bool kFused>
 struct Number {
   double x;
@@ -197,7 +198,7 @@ struct Shares {
   int compared = 0, decided = 0, by_moment = 0;
 };
 
-/// |got - exact| / bound, at least.
+/// A lower bound on |got - exact| / bound.
 double share(const Enclosure& got, const Enclosure& exact, double bound) {
   return (abs(got - exact) / exactly(bound)).upper();
 }
@@ -256,7 +257,7 @@ void compare(const Case& the_case, Shares& shares, Shares& in_pairs, Shares& in_
       const Enclosure b = n * w + y * v + x * u;
       const Enclosure disc = b * b - c * (n * n + x * x + y * y);
       const double E = sphere.decided / reference::kDecidedBeyond;
-      // For rays that pass too far away for a useful bound, only that they miss.
+      // If a ray passes too far away for a useful bound, it must only miss.
       const Enclosure S_sq = r * r * exactly(sizes.A);
       const bool passes_far = (disc + exactly(3) * S_sq).certain_sign() == -1;
       if (has_pairs && !passes_far) {
@@ -299,14 +300,14 @@ TEST(VisibilityBound, HoldsOnEverySourceOfCameras) {
     SCOPED_TRACE(source.name);
     Shares shares, in_pairs;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
-      // Every other time without fused operations.
+      // Every second seed is tried without fused operations.
       hwy::SetSupportedTargetsForTest(seed % 2 == 0 ? 0 : HWY_SSE4);
       compare(ChosenSource{&source}.make(seed), shares, in_pairs, in_pairs_mutated);
     }
     hwy::SetSupportedTargetsForTest(0);
     EXPECT_LE(shares.disc, 1);
     EXPECT_LE(shares.numerator, 1);
-    // It bounds all pixels and spheres at once, and yet is not too large.
+    // The bound holds for all pixels and spheres at once, but is not much too large.
     EXPECT_GT(shares.disc, 0x1p-6);
     EXPECT_GT(shares.compared, 200);
     EXPECT_LE(in_pairs.disc, 1);

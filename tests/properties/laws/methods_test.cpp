@@ -1,5 +1,5 @@
-// Every method of fast/ against every law, with fixed seeds; and the laws that a method is known to
-// break, which must stay broken in the same place.
+// Tries every method of fast/ by every law, with fixed seeds. Laws that a method is known to break
+// must be broken in the same place.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kCases = 900;
 
-/// The least number of comparisons of a law in kCases cases of direct/cross: for any law, and for
-/// some laws about two thirds of the actual number.
+/// The minimum number of comparisons of a law in kCases cases of direct/cross: one for all laws,
+/// and for some laws about two thirds of the actual number.
 constexpr std::uint64_t kLeastOfAny = 60;
 const std::map<std::string_view, std::uint64_t> kLeastCompared = {
     {"frame", 2400},          {"pixel-point", 1700},
@@ -55,7 +55,7 @@ std::vector<CampaignResult> expect_hold(const Names& names, const Candidate& can
   return results;
 }
 
-/// Near tangency most wrong classes are excused: a defect is one case in a thousand there.
+/// Near tangency, most wrong hit classes are excused; only one case in a thousand has a defect.
 constexpr int kCasesUntilCaught = 20000;
 
 void expect_caught(std::string_view law, const Candidate& candidate, std::string_view source) {
@@ -64,7 +64,8 @@ void expect_caught(std::string_view law, const Candidate& candidate, std::string
       << candidate.name << " keeps " << law << " on " << source;
 }
 
-/// A plan depends only on the scene, not on rays and hits: it is the same for every method.
+/// Whether a law is about plans. A plan depends only on the scene, so it is the same for every
+/// method.
 bool is_of_plans(const Law& law) { return needs_any(law.needs, Needs::kPlan); }
 
 /// The laws that satisfy a condition.
@@ -80,7 +81,7 @@ Names laws_that(Is is) {
 /// The laws that depend on how spheres are intersected.
 Names laws_of_intersections() {
   return laws_that([](const Law& law) {
-    return !is_of_plans(law) && (speaks_of_intersections(law) || !speaks_of_cameras(law));
+    return !is_of_plans(law) && (is_about_intersections(law) || !is_about_cameras(law));
   });
 }
 
@@ -114,7 +115,7 @@ Candidate with_direct_rays(std::string_view intersection) {
   throw std::invalid_argument(std::string(intersection));
 }
 
-/// The methods that keep their promises everywhere, except `cross`, which has a separate test; or
+/// The methods that keep their promises everywhere (except `cross`, which has a separate test), or
 /// those that do not.
 std::vector<std::string> methods(bool keep) {
   std::vector<std::string> names;
@@ -134,17 +135,17 @@ TEST_P(KeptEverywhere, Holds) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, KeptEverywhere, testing::ValuesIn(methods(true)), by_name);
 
-/// fast/robust_test.cpp holds it to that.
+/// fast/robust_test.cpp tests this promise.
 TEST(Robust, PromisesTheExactClass) { EXPECT_TRUE(with_direct_rays("robust").exact_class); }
 
-/// Sources on which methods of rays keep all laws except some.
+/// A source on which a ray method keeps all laws except some.
 struct RaysKept {
   const fast::PixelRayMethod* method;
   std::set<std::string_view> broken;
-  const char* source = "";  ///< Empty: everywhere.
+  const char* source = "";  ///< If empty, on every source.
 };
 const RaysKept kRaysKept[] = {
-    // P - E cancels, and a hit inherits the error of its ray's direction.
+    // P - E cancels, and a hit inherits the error of the direction.
     {&fast::kLectureRays, {"direction", "parameter", "hit-point", "axes", "focal-and-pixel"}},
     {&fast::kIncrementalRays, {"bounds"}},
     // Only near the world's origin.
@@ -169,7 +170,7 @@ class LessStableMethod : public testing::TestWithParam<std::string> {
 TEST_P(LessStableMethod, IsCaughtOnFarAndGrazingSpheres) {
   for (const auto& [law, source] :
        {std::pair("class", "distance"), {"class", "tangency"}, {"parameter", "distance"}}) {
-    // In floats the textbook's formula is allowed this loss near tangents.
+    // In floats, this loss near tangents is allowed for the textbook's formula.
     const bool is_textbook = std::string(candidate().name) == "direct/single-quadratic";
     if (is_textbook && law == std::string("class") && source == std::string("tangency")) continue;
     expect_caught(law, candidate(), source);

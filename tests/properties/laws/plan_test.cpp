@@ -1,5 +1,5 @@
-// The laws of the plan on every source of cases, with each item of the plan on and off; and that
-// plans leave out spheres for every reason.
+// Tests the laws of the plan on every source, with each item of the plan on and off. Plans must
+// leave out spheres for every reason.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
@@ -19,8 +19,8 @@ using scene::PlanItems;
 constexpr const char* kPlanLaws[] = {"plan-left-out", "plan-rectangles", "plan-roots",
                                      "visible-sphere"};
 
-/// Cases of each source: 200, or RAYCHECK_PLAN_CASES (100,000 every night); at least one of every
-/// severity.
+/// The number of cases of each source: 200, or RAYCHECK_PLAN_CASES (100,000 every night), but at
+/// least one of every severity.
 std::uint64_t cases_of(const CaseSource& source) {
   const char* const asked = std::getenv("RAYCHECK_PLAN_CASES");
   const std::uint64_t cases = asked == nullptr ? 200 : std::strtoull(asked, nullptr, 10);
@@ -28,8 +28,8 @@ std::uint64_t cases_of(const CaseSource& source) {
   return std::max(cases, static_cast<std::uint64_t>(severities));
 }
 
-/// A camera with a given ray as that of its middle pixel: some of its spheres fill the image, some
-/// are a pixel wide. Empty where the lengths differ too much for doubles.
+/// A camera whose middle pixel has a given ray. Some spheres fill the image, some are a pixel wide.
+/// Empty if the lengths differ too much for doubles.
 std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
   Random random(seed);
   const scene::Ray& ray = of_rays.scene.rays.front();
@@ -55,7 +55,8 @@ std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
   return result;
 }
 
-/// That number of cases of the source, each with a camera, with all severities equally often.
+/// Calls body(case) for this number of cases of the source, each with a camera, with all severities
+/// equally often.
 template <class Body>
 void for_each_case(const CaseSource& source, std::uint64_t cases, Body body) {
   const int severities = source.severities ? source.severities->highest + 1 : 1;
@@ -98,8 +99,9 @@ TEST_P(EachSource, KeepsTheLawsOfThePlan) {
     ++seen;
     expect_laws_hold(the_case, certified, compared);
   });
-  // Rays at the end of the range have no camera; images may be too large for `certified`.
-  EXPECT_GE(4 * seen, cases);  // cases that leave the range with a camera are skipped
+  // Cases may be skipped: rays at the end of the range have no camera, and images may be too large
+  // for `certified`.
+  EXPECT_GE(4 * seen, cases);  // cases that leave the range if they get a camera are skipped
   EXPECT_GE(compared["visible-sphere"], 4 * seen);
   const std::uint64_t of_plans =
       compared["plan-left-out"] + compared["plan-rectangles"] + compared["plan-roots"];
@@ -110,9 +112,10 @@ TEST_P(EachSource, KeepsTheLawsOfThePlan) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sources, EachSource, testing::ValuesIn(names_of(case_sources())), by_name);
+INSTANTIATE_TEST_SUITE_P(Sources, EachSource, testing::ValuesIn(raycheck::names_of(case_sources())),
+                         by_name);
 
-/// Counts of spheres that plans left out, and of tests that they made unnecessary.
+/// The numbers of spheres that plans left out, and of tests that plans made unnecessary.
 struct Savings {
   std::map<LeftOut, int> left_out;
   int smaller_rectangles = 0, no_far_root = 0, no_behind_test = 0, scaled = 0, aligned = 0;

@@ -1,5 +1,5 @@
-// Laws under t_min, t_max and culling: code that follows them exactly passes, code that treats the
-// ends wrongly does not.
+// Laws under t_min, t_max and culling: code that follows them exactly passes; code that treats the
+// ends wrongly fails.
 
 #include "properties/search/campaign.h"
 #include "tests/properties/one_ray.h"
@@ -10,7 +10,7 @@ namespace {
 
 using Change = std::function<void(scene::Conventions&)>;
 
-/// The exact answers, correctly rounded, under conventions that a mistake changed.
+/// A candidate with the exact answers, correctly rounded, under conventions that a mistake changes.
 Candidate follower(const Change& mistake = [](scene::Conventions&) {}) {
   Candidate candidate;
   candidate.name = "follower";
@@ -70,8 +70,8 @@ TEST(ValidRootsLaws, FindWrongEndsAndReportDefectsFarFromThem) {
                open_min = [](C&c) { c.valid.ends = scene::Ends::kOpenMin; },
                open_max = [](C&c) { c.valid.ends = scene::Ends::kOpenMax; },
                absolute = [](C&c) { c.valid.unit = scene::TUnit::kAbsolute; };
-  // The near root of the first ray is 2, the near one of the second sphere 7: at an end a wrong
-  // answer is not a defect.
+  // The near root is 2 on the first ray and 7 on the second sphere. At an end, a wrong answer is
+  // not a defect.
   const scene::ValidRoots closed{2, 7, scene::Ends::kClosed, {}, {}};
   const scene::ValidRoots open{2, 7, scene::Ends::kOpen, {}, {}};
   struct Row {
@@ -102,8 +102,8 @@ TEST(ValidRootsLaws, FindWrongEndsAndReportDefectsFarFromThem) {
   }
 }
 
-/// The law that reports a defect; "" without one.
-std::string told_as_defect(const scene::ValidRoots& valid, const Change& mistake) {
+/// The law that reports a defect; empty if there is none.
+std::string law_of_defect(const scene::ValidRoots& valid, const Change& mistake) {
   for (const char* law : {"class", "nearest-root"}) {
     const Verdict found = verdict(law, follower(mistake), valid);
     if (found.count(Standing::kDefect) == 0) continue;
@@ -114,20 +114,20 @@ std::string told_as_defect(const scene::ValidRoots& valid, const Change& mistake
   return "";
 }
 
-/// An answer outside the interval by which it is judged is a defect without further proof: so is >=
-/// for > at the very end.
+/// An answer outside the interval by which it is judged is a defect without further proof. So >=
+/// for > is a defect exactly at the end.
 TEST(ValidRootsLaws, ReportAnswersOutsideTheIntervalAsDefects) {
   const auto closed = [](scene::Conventions& c) { c.valid.ends = scene::Ends::kClosed; };
   // The near root of the first ray is 2, the far one 4; 7 and 11 of the second sphere.
-  EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpenMin, {}, {}}, closed), "nearest-root");
-  EXPECT_EQ(told_as_defect({5, 7, scene::Ends::kOpenMax, {}, {}}, closed), "class");
+  EXPECT_EQ(law_of_defect({2, 7, scene::Ends::kOpenMin, {}, {}}, closed), "nearest-root");
+  EXPECT_EQ(law_of_defect({5, 7, scene::Ends::kOpenMax, {}, {}}, closed), "class");
   // 3.5 radii of the second sphere.
-  EXPECT_EQ(told_as_defect({3, 3.5, scene::Ends::kOpenMax, scene::TUnit::kRadius, {}}, closed),
+  EXPECT_EQ(law_of_defect({3, 3.5, scene::Ends::kOpenMax, scene::TUnit::kRadius, {}}, closed),
             "class");
-  EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpen, {}, {}}, [](auto&) {}), "");
+  EXPECT_EQ(law_of_defect({2, 7, scene::Ends::kOpen, {}, {}}, [](auto&) {}), "");
 }
 
-/// s is 1/3, slightly above the nearest double, which is the best answer.
+/// s is 1/3. That is slightly above the nearest double, which is the best answer.
 TEST(ValidRootsLaws, LetTheExactRootBeRoundedToAnOpenEnd) {
   Case one = one_ray({{0, 0, 0}, {3, 0, 0}}, {{2, 0, 0}, 1});
   one.scene.conventions.valid = {1.0 / 3, kNoEnd, scene::Ends::kOpen, {}, {}};
@@ -144,7 +144,7 @@ TEST(ValidRootsLaws, LetTheExactRootBeRoundedToAnOpenEnd) {
 TEST(ValidRootsLaws, ScaleAbsoluteEndsWithTheScene) {
   const scene::ValidRoots absolute{2.5, 7, scene::Ends::kClosed, {}, {}};
   EXPECT_GT(verdict("scaling", follower(), absolute).compared(), 0u);
-  // A candidate that does not scale them is wrong.
+  // A candidate that does not scale the ends is wrong.
   EXPECT_GT(
       verdict("scaling", follower([](auto& c) { c.valid.t_min = 2.5; }), absolute).discrepancies(),
       0u);

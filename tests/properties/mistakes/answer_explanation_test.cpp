@@ -24,7 +24,7 @@ std::vector<Case> cases_of(std::initializer_list<const char*> sources, std::uint
   return cases;
 }
 
-/// Cases with lengths of each size in the families of mistakes.
+/// Cases with lengths of each size in the groups of mistakes.
 const std::vector<Case>& fixed_cases() {
   static const std::vector<Case> kCases = [] {
     std::vector<Case> cases =
@@ -60,7 +60,7 @@ Sentences sentences_for(const Candidate& candidate,
       sentences.push_back(explanation.sentence);
       continue;
     }
-    // Other answers are wrong, too, for another reason.
+    // Other answers are wrong for another reason.
     if (explanation.sentence != kNotNumbers) {
       EXPECT_GE(static_cast<double>(explanation.explained),
                 kExplainedShare * static_cast<double>(explanation.errors));
@@ -70,20 +70,21 @@ Sentences sentences_for(const Candidate& candidate,
   return sentences;
 }
 
-/// Right under one convention, whatever the scene says.
+/// A candidate that follows one convention even if the scene says otherwise.
 template <class Value>
 Candidate following(Value scene::Conventions::*member, Value value) {
   Candidate candidate = fast_candidate(fast::kDirectRays, *fast::intersect_methods().front());
-  const auto told = [=](scene::Conventions conventions) {
+  const auto overridden = [=](scene::Conventions conventions) {
     conventions.*member = value;
     return conventions;
   };
   const auto follow = [&](auto& function) {
-    function = [=, answer = function](auto camera_or_rays, const auto& given, auto pixels_or_told) {
+    function = [=, answer = function](auto camera_or_rays, const auto& given,
+                                      auto pixels_or_conventions) {
       if constexpr (std::is_convertible_v<decltype(given), scene::Conventions>) {
-        return answer(camera_or_rays, told(given), pixels_or_told);
+        return answer(camera_or_rays, overridden(given), pixels_or_conventions);
       } else {
-        return answer(camera_or_rays, given, told(pixels_or_told));
+        return answer(camera_or_rays, given, overridden(pixels_or_conventions));
       }
     };
   };
@@ -99,14 +100,15 @@ Candidate following(Value scene::Conventions::*member, Value value) {
   return candidate;
 }
 
-/// Declares which roots count, and answers as if all did.
+/// A candidate that declares which roots count, and answers as if all did.
 Candidate counting_all(scene::ValidRoots declared) {
   Candidate candidate = fast_candidate(fast::kDirectRays, *fast::intersect_methods().front());
   candidate.declared.valid = declared;
   return candidate;
 }
 
-/// Declares that nothing counts beyond s = 4, and drops hits at a distance of more than 4.
+/// A candidate that declares that no root counts beyond s = 4, and drops hits at a distance of more
+/// than 4.
 Candidate cut_at_a_length() {
   Candidate candidate = counting_all({.t_max = 4});
   answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
@@ -147,13 +149,14 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
       ++broken;
       const auto found = causes(*judged[k], telling_cases(results[k], kCasesOfACause), candidate);
       ASSERT_EQ(found.size(), 1u) << judged[k]->name;
-      EXPECT_EQ(found[0].sentence, "right under " + text + ", which it does not declare");
+      EXPECT_EQ(found[0].sentence,
+                "right under " + text + ", which the candidate does not declare");
       EXPECT_EQ(found[0].explained, found[0].errors);
       EXPECT_GT(found[0].errors, 0u);
     }
     EXPECT_GT(broken, 0u);
   }
-  // Code that is right under none of them gets no such cause.
+  // Code that is right under no convention gets no such cause.
   const Candidate wrong = candidate_of("no ray ever hits a sphere");
   const auto of_class = laws_named({"class"});
   const auto result = run_campaigns(of_class, wrong, options_of(400, {}, Level::kOrdinary));
@@ -162,8 +165,8 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
   }
 }
 
-/// The count includes cases that are left out, with roots close to a declared end, and small errors
-/// beside answers that are not numbers.
+/// The count includes cases that are left out because roots are close to a declared end, and small
+/// errors beside answers that are NaN.
 TEST(Causes, CountAllWrongAnswers) {
   const Law& of_class = *find_law("class");
   Candidate far = candidate_of("spheres are solid: from inside s is 0");
@@ -195,7 +198,7 @@ TEST(Mistakes, HaveDistinctSentences) {
   EXPECT_GE(sentences.size(), 60u);
 }
 
-/// The indices of the mistakes that are made before rays are complete, or after that.
+/// The indices of the mistakes that are made before the rays are complete, or after.
 std::vector<std::size_t> indices(bool on_the_way) {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < mistakes().size(); ++k) {
@@ -220,17 +223,17 @@ class EachMistake : public testing::TestWithParam<std::size_t> {
   const Mistake& mistake() const { return mistakes()[GetParam()]; }
 };
 
-/// The mistake, or the one of its family that was named, since cases may not distinguish sizes.
-const Mistake& as_told(const Mistake& mistake, const Sentences& sentences) {
+/// The mistake, or the one of its group that was named, since cases may not distinguish sizes.
+const Mistake& as_named(const Mistake& mistake, const Sentences& sentences) {
   const auto is_alike = [&](const Mistake& other) {
-    return &other == &mistake || (!other.family.empty() && other.family == mistake.family);
+    return &other == &mistake || (!other.group.empty() && other.group == mistake.group);
   };
   const Mistake* const named = sentences.empty() ? nullptr : find_mistake(sentences.front());
   return named != nullptr && is_alike(*named) ? *named : mistake;
 }
 
-/// A candidate that can make the mistake, if necessary one that returns distances, or declares
-/// which roots count; empty if only pictures show it.
+/// A candidate that can make the mistake: if necessary, one that returns distances or declares
+/// which roots count. Empty if only pictures show the mistake.
 std::optional<Candidate> who_may_make(const Mistake& mistake) {
   for (const Returns returns : {Returns::kHit, Returns::kDistance}) {
     for (const scene::ValidRoots& valid : {scene::ValidRoots{}, scene::ValidRoots{.t_max = 4}}) {
@@ -244,18 +247,18 @@ std::optional<Candidate> who_may_make(const Mistake& mistake) {
 }
 
 TEST_P(EachMistake, IsExplainedOnlyByItsSentence) {
-  // Mistakes in cameras and in spheres are sought separately, and single rays do not show the
-  // pixels of a picture outside the image.
+  // Mistakes in cameras and in spheres are searched for separately, and single rays do not show
+  // pixels outside the image.
   const auto says = [&](const char* words) {
     return mistake().sentence.find(words) != std::string::npos;
   };
   const auto candidate = who_may_make(mistake());
   if (!candidate) return;
   const Sentences sentences = sentences_for(*candidate);
-  if ((says("numbers are r") && mistake().camera) || says("as many lines as there are columns")) {
+  if ((says("numbers are r") && mistake().camera) || says("it has a line for each column")) {
     return expect_among(sentences, mistake().sentence);
   }
-  EXPECT_EQ(sentences, Sentences{as_told(mistake(), sentences).sentence});
+  EXPECT_EQ(sentences, Sentences{as_named(mistake(), sentences).sentence});
 }
 
 INSTANTIATE_TEST_SUITE_P(OnTheWay, EachMistake, testing::ValuesIn(indices(true)));
@@ -269,7 +272,7 @@ TEST_P(EachMistakeInRays, IsAmongTheExplanationsOfOnlyRays) {
   candidate.pixel_rays = mistake().candidate.pixel_rays;
   candidate.focal_rays = mistake().candidate.focal_rays;
   const Sentences sentences = sentences_for(candidate);
-  expect_among(sentences, as_told(mistake(), sentences).sentence);
+  expect_among(sentences, as_named(mistake(), sentences).sentence);
 }
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInRays, testing::ValuesIn(indices(true)));
@@ -287,14 +290,14 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfOnlyNearestSpheres) {
   if (mistake().hit) {
     EXPECT_EQ(sentences, Sentences());
   } else {
-    expect_among(sentences, as_told(mistake(), sentences).sentence);
+    expect_among(sentences, as_named(mistake(), sentences).sentence);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInHits, testing::ValuesIn(indices(false)));
 
-/// Except that lost digits are reported for methods that compute d^2 as a difference, and "not a
-/// number" for overflows.
+/// Exceptions: for methods that compute d^2 as a difference, lost digits are reported, and for
+/// overflows "not a number".
 TEST(AnswerExplanation, IsEmptyForARightCandidateOnHardCases) {
   const std::set<std::string_view> differences = {"quadratic", "stable-quadratic", "lecture",
                                                   "kahan"};
@@ -346,7 +349,7 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceNamesBoth) {
       both("s >= 0 is not tested: spheres behind the origin are hit", "s is half of the right one"),
       "s >= 0 is not tested: spheres behind the origin are hit; and s is half of the right "
       "one");
-  // Two formulas for the same thing.
+  // Two formulas give the same answers.
   candidate = candidate_of("U has the wrong sign");
   candidate.frame = [right = candidate_of("V is up itself, not made perpendicular to W").frame,
                      left = candidate.frame](const scene::Camera& camera) {
@@ -361,7 +364,7 @@ TEST(AnswerExplanation, OfOnlyRaysDoesNotNameHits) {
   EXPECT_EQ(sentences_for(candidate), Sentences{"directions are not normalised: D = P - E"});
 }
 
-/// Two rays to a large sphere, of which one hits it.
+/// A case with two rays to a large sphere; one hits it.
 Case large_sphere() {
   Case the_case;
   the_case.scene.spheres = {{{0, 0, 1e5}, 5e4}};
@@ -392,7 +395,7 @@ TEST(AnswerExplanation, IsFoundForEachPart) {
   EXPECT_EQ(sentences_for(candidate),
             (Sentences{"rows are upside down", "the far root is taken for the near one",
                        "the last sphere in the file wins"}));
-  // A wrong root is a sufficient reason for a wrong sphere.
+  // A wrong root is reason enough for a wrong sphere.
   candidate.nearest = candidate_of("the far root is taken for the near one").nearest;
   EXPECT_EQ(sentences_for(candidate),
             (Sentences{"rows are upside down", "the far root is taken for the near one"}));
@@ -402,7 +405,8 @@ TEST(AnswerExplanation, IsFoundForEachPart) {
             (Sentences{"rows are upside down", "the last sphere in the file wins"}));
 }
 
-/// The last sphere in the file, hit or not: "the last sphere in the file wins" explains only part.
+/// The candidate returns the last sphere in the file, hit or not. "The last sphere in the file
+/// wins" explains only part of that.
 TEST(AnswerExplanation, ContradictsFewAnswers) {
   Candidate candidate;
   candidate.nearest = [](Candidate::Rays rays, Candidate::Spheres spheres, const auto&) {
@@ -419,7 +423,7 @@ TEST(AnswerExplanation, OfNaNNamesAMistakeThatMakesNaN) {
   candidate.pixel_rays = candidate.focal_rays = [](const auto&, const auto&, auto pixels) {
     return std::vector<scene::Ray>(pixels.size(), {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}});
   };
-  EXPECT_EQ(sentences_for(candidate), Sentences{"not a number, or infinite"});
+  EXPECT_EQ(sentences_for(candidate), Sentences{"the answer is NaN or infinite"});
   candidate.pixel_rays = candidate_of(kLost).pixel_rays;
   candidate.focal_rays = candidate_of(kLost).focal_rays;
   EXPECT_EQ(sentences_for(candidate), Sentences{kLost});
@@ -442,7 +446,7 @@ TEST(AnswerExplanation, NamesOtherCausesBesideNaN) {
     return hits;
   };
   EXPECT_EQ(all, Sentences{kWrong});
-  EXPECT_EQ(sentences_for(candidate), (Sentences{kWrong, "not a number, or infinite"}));
+  EXPECT_EQ(sentences_for(candidate), (Sentences{kWrong, "the answer is NaN or infinite"}));
   const auto found = explanations(answer_causes(fixed_cases(), candidate));
   EXPECT_EQ(found[1].errors, found[0].errors + found[1].explained);
 }
@@ -478,7 +482,7 @@ TEST(AnswerExplanation, OfACandidateInSinglePrecisionIsFound) {
   }
 }
 
-/// direct/cross, with every hit changed.
+/// direct/cross with every hit changed.
 template <class Change>
 Candidate with_hits(const Change& change) {
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
@@ -493,7 +497,7 @@ Candidate with_hits(const Change& change) {
   return candidate;
 }
 
-/// Roundings of d^2 move s, not Q beside the ray.
+/// Roundings of d^2 move s, but do not move Q off the ray.
 TEST(AnswerExplanation, OfAWrongPointDoesNotNameRoundings) {
   const Candidate candidate = with_hits([](const auto& ray, const auto& sphere, Hit& hit) {
     hit->point = hit_at(ray, sphere.radius).point;
@@ -501,8 +505,7 @@ TEST(AnswerExplanation, OfAWrongPointDoesNotNameRoundings) {
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
-/// Code that misses far spheres, and hits the others, does not miss everything, and has no wrong
-/// sign.
+/// Code that misses only far spheres does not miss everything, and has no wrong sign.
 TEST(AnswerExplanation, OfMissedFarSpheresNamesNoMistakeThatMissesNearOnes) {
   const Candidate candidate = with_hits([](const auto& ray, const auto& sphere, Hit& hit) {
     const scene::Vector3 T = sphere.centre - ray.origin;
@@ -513,7 +516,7 @@ TEST(AnswerExplanation, OfMissedFarSpheresNamesNoMistakeThatMissesNearOnes) {
   EXPECT_TRUE(causes(*find_law("class"), telling_cases(result, kCasesOfACause), candidate).empty());
 }
 
-/// Half the chord, from a point on the sphere: neither a root nor lost digits.
+/// From a point on the sphere, s is half the chord: neither a root nor lost digits.
 TEST(AnswerExplanation, OfAPointBetweenTheRootsDoesNotNameRoundings) {
   const scene::Sphere sphere = {{0, 0, 5}, 3};
   const scene::Ray ray = {{0, 0, 2}, {0.6, 0, 0.8}};
@@ -549,7 +552,7 @@ double dot(const scene::Vector3& a, const scene::Vector3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// v - d and v + d, of another d^2.
+/// The roots v - d and v + d for another d^2.
 MakeRoots roots_of(SquareOfChord square) {
   return [square](const scene::Ray& ray, const scene::Sphere& sphere) {
     const scene::Vector3 L = {ray.origin.x, ray.origin.y, ray.origin.z}, D = ray.direction;
@@ -568,17 +571,17 @@ TEST(AnswerExplanation, OfLostDigitsNamesTheTermAndTheDistance) {
     EXPECT_TRUE(sentences.front().starts_with(said)) << sentences.front();
   };
   expect([](auto&, auto&, auto& T, double v, double r) { return r * r - (dot(T, T) - v * v); },
-         "d^2 loses its digits from 10^");
+         "d^2 loses its digits (here more than 10^");
   // (r + l)(r - l)
   expect(
       [](auto&, auto&, auto& T, double v, double r) {
         const double l = std::sqrt(dot(T, T) - v * v);
         return (r + l) * (r - l);
       },
-      "d^2 loses its digits from 10^");
+      "d^2 loses its digits (here more than 10^");
   expect([](auto& L, auto& C, auto&, double v,
             double r) { return r * r - (dot(C, C) - 2 * dot(L, C) + dot(L, L) - v * v); },
-         "|C - L|^2 loses its digits far from the world's origin");
+         "far from the world's origin |C - L|^2 loses its digits");
   Candidate in_floats = fast_candidate(fast::kDirectRays, fast::kCross);
   in_floats.precision = scene::Precision::kSingle;
   answer_by(in_floats, hits_by({.roots = roots_of([](auto& L, auto& C, auto&, double v, double r) {
@@ -596,7 +599,7 @@ TEST(AnswerExplanation, OfLostDigitsNamesTheTermAndTheDistance) {
       << of_floats.front();
 }
 
-/// Cases in which other roots count are left out; if those are most cases, nothing is named.
+/// Cases in which other roots count are left out. If most cases are left out, nothing is named.
 TEST(AnswerExplanation, OfLostDigitsNeedsMostCases) {
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
   answer_by(candidate, hits_by({.roots = roots_of([](auto&, auto&, auto& T, double v, double r) {
@@ -612,7 +615,7 @@ TEST(AnswerExplanation, OfLostDigitsNeedsMostCases) {
   EXPECT_EQ(sentences_for(candidate, cases), Sentences());
 }
 
-/// Tiny roots of origins on the sphere: nearby inputs have others.
+/// For origins on the sphere, roots are tiny, and nearby inputs have others.
 TEST(AnswerExplanation, IsEmptyForErrorsWithinTheRoundingOfTheInput) {
   const Candidate candidate = with_hits([](const auto& ray, const auto&, Hit& hit) {
     if (hit->parameter < 1e-12) *hit = hit_at(ray, 2 * hit->parameter);

@@ -1,4 +1,4 @@
-// Mistakes in pictures are found; faults that are not classic mistakes get no cause, unless they
+// Mistakes in pictures are found. Faults that are not classic mistakes get no cause, unless they
 // occur only in scenes with one property.
 
 #include "properties/mistakes/picture_causes.h"
@@ -17,8 +17,8 @@ namespace {
 
 using namespace scene;
 
-/// Spheres at a billionth of a length from the eye, at ten times that, and so on: comparisons with
-/// a fixed small number lose the first of them.
+/// Adds spheres at a billionth of a length from the eye, at ten times that, and so on. Comparisons
+/// with a fixed small number lose the first of them.
 Scene ladder(Scene scene) {
   Camera& camera = *scene.camera;
   camera.near = camera.left = camera.bottom = -1e-10;
@@ -39,8 +39,8 @@ const Scene& probe() {
   return kProbe;
 }
 
-/// A scene of the rubric of the seventh lecture, and most of them: the first is square and
-/// symmetric, of an eye at the origin.
+/// A scene of the seventh lecture's rubric. The first scene is square and symmetric, with the eye
+/// at the origin.
 Scene rubric_scene(const std::string& name) {
   return scene::load_scene(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7/" + name + ".toml")
       .scene;
@@ -54,7 +54,7 @@ std::vector<Scene> rubric_scenes() {
       scenes.push_back(rubric_scene(name));
     }
     scenes.push_back(probe());
-    // Around the eye, so that the far root counts.
+    // A sphere around the eye, so that the far root counts.
     scenes.push_back(scenes.front());
     scenes.back().spheres = {{{0, 0, -2}, 4}, {{0.5, 0.25, -4}, 0.75}};
     scenes.push_back(ladder(scenes.front()));
@@ -103,7 +103,7 @@ std::uint64_t differences(const Fault& a, const Fault& b, const std::vector<Scen
   return count;
 }
 
-/// Other mistakes that make the same pictures.
+/// The number of other mistakes that make the same pictures.
 std::size_t count_alike(const Mistake& its, const std::vector<Scene>& scenes) {
   return static_cast<std::size_t>(std::count_if(
       mistakes().begin(), mistakes().end(),
@@ -114,7 +114,7 @@ TEST(PictureCausesOfEveryMistake, NameIt) {
   const std::vector<Scene> scenes = rubric_scenes();
   int named = 0, single = 0;
   for (const Mistake& its : mistakes()) {
-    if (!its.is_told_by_pictures) continue;
+    if (!its.shows_in_pictures) continue;
     const Causes causes = picture_causes(shown_with({&its}, scenes));
     if (causes.kind == CauseKind::kExplained) {
       EXPECT_TRUE(is_named(causes, {&its}))
@@ -146,7 +146,7 @@ TEST(PictureCauses, AreFoundUnderOtherConventions) {
   for (const char* sentence :
        {"pixels are sampled from edge to edge",
         "rays start on the image plane, so that spheres before it are not seen",
-        "the far root counts too, so that spheres around the origin are seen",
+        "the far root counts, too, so that spheres around the origin are seen",
         "rows are divided by the width", "beta = bottom + j/h (top - bottom)",
         "directions are not normalised: D = P - E", "rows and columns are exchanged",
         "the loops over rows and columns are exchanged: the pixels are written column by column, "
@@ -155,7 +155,7 @@ TEST(PictureCauses, AreFoundUnderOtherConventions) {
   }
 }
 
-/// The exact picture of another scene.
+/// The sentences for the exact picture of another scene.
 Sentences sentences_for(const Scene& scene, const Scene& shown) {
   return sentences_for({{scene, exact_image(shown, shown.conventions)}});
 }
@@ -190,8 +190,8 @@ TEST(PictureCauses, NameRadiiThatAreHalvedOrDoubled) {
   }
 }
 
-/// With only a sphere between the eye and the image plane many causes make the same picture: there
-/// pairs of mistakes show that do not show singly.
+/// With only a sphere between the eye and the image plane, many causes make the same picture, and
+/// some pairs of mistakes show although neither mistake shows alone.
 TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatExplainItOrNone) {
   const Scene scene =
       scene::load_scene(RAYCHECK_SOURCE_DIR "/scene/examples/sphere-between-eye-and-plane.toml")
@@ -211,7 +211,7 @@ TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatExplainItOrNone) {
   }
 }
 
-/// The same mistakes in pictures that show more.
+/// The same mistakes are distinguished in pictures that show more.
 TEST(PictureCausesOfTwoMistakes, MayBeOneInTheBoundsAndOneInTheirPixels) {
   for (const char* bounds :
        {"left is -right and bottom is -top",
@@ -238,7 +238,7 @@ TEST(PictureCausesOfTwoMistakes, MayBeOneInTheBoundsAndOneInTheirPixels) {
 TEST(PictureCauses, NameTheConventionOfTangents) {
   Scene scene = rubric_scenes().front();
   scene.camera->width = scene.camera->height = 5;
-  // The ray of the middle pixel is tangent to the first.
+  // The ray of the middle pixel is tangent to the first sphere.
   scene.spheres = {{{1, 0, -5}, 1}, {{-2.5, 0, -5}, 1}};
   Scene other = scene;
   other.conventions.tangent = scene::Tangent::kMiss;
@@ -286,7 +286,7 @@ TEST(PictureCausesOfTwoMistakes, NameBoth) {
   const std::vector<Scene> scenes = rubric_scenes();
   int pairs = 0, found = 0;
   for (std::size_t a = 0; a < kCommon.size(); ++a) {
-    // Each with every second of the other mistakes.
+    // Each mistake is tried with every second of the others.
     for (std::size_t b = a + 1; b < kCommon.size(); b += 2) {
       const Fault fault = {mistake(kCommon[a]), mistake(kCommon[b])};
       if (!can_be_together(*fault[0], *fault[1])) continue;
@@ -306,7 +306,7 @@ TEST(PictureCausesOfTwoMistakes, NameBoth) {
   EXPECT_GE(found, pairs - 1);
 }
 
-/// The alternatives to either mistake are named, too.
+/// The alternatives to each of the two mistakes are named, too.
 TEST(PictureCausesOfTwoMistakes, NameTheTiesOfBoth) {
   const std::vector<ShownPicture> pictures =
       shown_with({mistake("left and right are both negated"),
@@ -344,7 +344,7 @@ TEST(PictureCauses, NameBlackPictures) {
   EXPECT_EQ(sentences_for(pictures), Sentences{kBlack});
 }
 
-/// A mistake may show only in the one scene that is black.
+/// A mistake may show only in the one scene whose picture is black.
 TEST(PictureCauses, OfABlackPictureAmongRightOnesMayBeAMistake) {
   Scene tiny = rubric_scenes().front();
   tiny.camera->near *= 1e-6;
@@ -368,7 +368,7 @@ TEST(PictureCauses, OfABlackPictureAmongRightOnesMayBeAMistake) {
   ASSERT_EQ(causes.kind, CauseKind::kExplained);
   EXPECT_TRUE(
       std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
-                  [&](const Fault& one) { return one.front()->family == fault.front()->family; }));
+                  [&](const Fault& one) { return one.front()->group == fault.front()->group; }));
 }
 
 TEST(PictureCauses, NameExchangedSidesUnlessARightPictureContradicts) {
@@ -418,17 +418,15 @@ std::vector<ShownPicture> shown_by(const fast::PixelRayMethod& rays,
   return pictures;
 }
 
-constexpr const char* kDifference = "d^2 loses its digits from 10^";
+constexpr const char* kDifference = "d^2 loses its digits (here more than 10^";
 
 TEST(PictureCauses, NameTheFormulaWithTheFewestRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   for (const auto* intersect : {&fast::kLecture, &fast::kQuadratic}) {
-    EXPECT_EQ(
-        sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
-        Sentences{
-            kDifference +
-            std::string("8 radii away, where larger numbers cancel (r^2 - |T x D|^2 keeps them)")})
+    EXPECT_EQ(sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
+              Sentences{kDifference + std::string("8 radii away), because larger numbers are "
+                                                  "subtracted; r^2 - |T x D|^2 keeps them")})
         << intersect->name;
   }
   for (const auto* intersect : {&fast::kSingleLecture, &fast::kSingleQuadratic}) {
@@ -441,7 +439,7 @@ TEST(PictureCauses, NameTheFormulaWithTheFewestRoundings) {
   EXPECT_EQ(sentences_for(shown_by(fast::kDirectRays, fast::kCross, scenes)), Sentences());
 }
 
-/// Far spheres that show in no pixel are not lost by roundings: some limit is too small.
+/// If far spheres show in no pixel, roundings are not the cause: some limit is too small.
 TEST(PictureCauses, OfFarSpheresThatAreDroppedDoNotNameRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
@@ -461,12 +459,14 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeNameBoth) {
   const Fault fault = {mistake("top is -bottom")};
   std::vector<ShownPicture> pictures = shown_with(fault, rubric_scenes());
   pictures.push_back(shown_by(fast::kDirectRays, fast::kLecture, {far_scene(2e8)}).front());
-  EXPECT_EQ(sentences_for(pictures),
-            Sentences{std::string("top is -bottom; and ") + kDifference +
-                      "8 radii away, where larger numbers cancel (r^2 - |T x D|^2 keeps them)"});
+  EXPECT_EQ(
+      sentences_for(pictures),
+      Sentences{
+          std::string("top is -bottom; and ") + kDifference +
+          "8 radii away), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them"});
 }
 
-/// All pixels are in doubt.
+/// Every pixel is in doubt.
 TEST(PictureCauses, DoNotNameRoundingsByOnePictureInDoubt) {
   const auto pictures = shown_by(fast::kSingleRays, fast::kSingleLecture, {far_scene(2e6)});
   EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kUnknown);
@@ -515,7 +515,7 @@ void move(scene::Point3& point, const FaultSizes& z) {
   point.y += z.up;
 }
 
-/// Other spheres than those asked for.
+/// Faults that draw other spheres.
 constexpr void (*kSpheres[])(Sphere&, const FaultSizes&) = {
     [](Sphere& s, const FaultSizes& z) { s.radius *= z.factor; },
     [](Sphere& s, const FaultSizes&) { s.radius += 0.25; },
@@ -525,7 +525,7 @@ constexpr void (*kSpheres[])(Sphere&, const FaultSizes&) = {
     [](Sphere& s, const FaultSizes&) { std::swap(s.centre.x, s.centre.y); },
 };
 
-/// Other scenes.
+/// Faults that draw other scenes.
 constexpr void (*kScenes[])(Scene&, FaultSizes&) = {
     [](Scene& s, FaultSizes& z) { move(s.spheres[z.random() % s.spheres.size()].centre, z); },
     [](Scene& s, FaultSizes&) { s.spheres.pop_back(); },
@@ -559,7 +559,7 @@ struct SeenImage {
 using Shows = std::optional<std::size_t> (*)(const SeenImage&, std::int64_t, std::int64_t,
                                              FaultSizes&);
 
-/// Other pixels than those seen.
+/// Faults that show other pixels.
 constexpr Shows kPixels[] = {
     [](const auto& its, auto i, auto j, auto& z) {
       return between(z.random, 0, 1) < z.share ? std::nullopt : its.at(i, j);
@@ -628,15 +628,15 @@ std::optional<std::string> cause_where(const std::vector<Scene>& scenes, const F
 
 TEST(ShapeCause, IsWhatAllFailuresHaveInCommonAndNothingElse) {
   const std::vector<Scene> scenes = rubric_scenes();
-  // There are high pictures, so that "not square" is not "wide".
+  // There are high pictures, so that "not square" does not mean "wide".
   EXPECT_EQ(cause_where(scenes, [](const Scene& s) { return s.camera->width != s.camera->height; }),
-            "it fails only where the picture is not square");
+            "it fails only if the picture is not square");
   EXPECT_EQ(cause_where(scenes,
                         [](const Scene& s) {
                           return s.camera->left != -s.camera->right ||
                                  s.camera->bottom != -s.camera->top;
                         }),
-            "it fails only where the bounds are not symmetric");
+            "it fails only if the bounds are not symmetric");
   // Bounds that are uneven in only one direction.
   std::vector<Scene> uneven = scenes;
   for (int k = 0; k < 4; ++k) {
@@ -644,15 +644,15 @@ TEST(ShapeCause, IsWhatAllFailuresHaveInCommonAndNothingElse) {
     (k % 2 == 0 ? uneven.back().camera->left : uneven.back().camera->top) *= 0.75;
   }
   EXPECT_EQ(cause_where(uneven, [](const Scene& s) { return s.camera->left != -s.camera->right; }),
-            "it fails only where left is not -right");
+            "it fails only if left is not -right");
   EXPECT_EQ(cause_where(scenes, [](const Scene& s) { return s.camera->eye.x != 0; }),
-            "it fails only where the eye is not at the origin");
+            "it fails only if the eye is not at the origin");
   // With spheres before the image plane, or behind the eye, on the lines of rays.
   const auto has_all_behind = [](const Scene& s) {
     return s == rubric_scene("before") || s == rubric_scene("behind") || s == probe();
   };
   EXPECT_EQ(cause_where(scenes, has_all_behind),
-            "it fails only where everything that a ray's line meets is behind the ray's origin");
+            "it fails only if everything that a ray's line meets is behind the ray's origin");
   EXPECT_EQ(cause_where(scenes, [](const Scene& s) { return s.spheres.size() % 2 == 1; }),
             std::nullopt);
 }

@@ -1,5 +1,5 @@
-// Verdicts in single precision against an oracle that shares no code with reference/. A part of it
-// runs in ctest; RAYCHECK_FLOAT_PAIRS=1000000 in the environment sets the number of pairs.
+// Compares verdicts in single precision with an oracle that shares no code with reference/. The
+// environment variable RAYCHECK_FLOAT_PAIRS sets the number of pairs, for example 1000000.
 
 #include <boost/multiprecision/mpfr.hpp>
 
@@ -32,7 +32,7 @@ int gap_exponent(const Wide& x) {
   return std::max(exponent - kFloatDigits, kLeastFloat);
 }
 
-/// x in gaps between floats around `at`; for `at` = 0: 0 if x is 0, else infinite.
+/// x in gaps between floats around `at`. If `at` is 0: 0 if x is 0, otherwise infinite.
 double in_gaps(const Wide& x, const Wide& at) {
   if (at == 0) return x == 0 ? 0 : kInfinity;
   return Wide(ldexp(x, -gap_exponent(at))).convert_to<double>();
@@ -69,14 +69,14 @@ struct RootPair {
     }
     discriminant = b * b - a * c;
   }
-  /// By the quotient that does not cancel, with exact signs.
+  /// A root by the quotient that does not cancel, with exact signs.
   Wide root(int which) const {
     const Wide root = sqrt(discriminant);
     if (c == 0) return (b > 0) == (which > 0) && b != 0 ? Wide(2 * b / a) : Wide(0);
     return (b > 0) == (which > 0) ? Wide((b + which * root) / a) : Wide(c / (b - which * root));
   }
   Wide point(int which, std::size_t k) const { return L[k] + root(which) * d[k]; }
-  /// -1 or 1: which root counts; 0: a miss.
+  /// The root that counts, -1 or 1; 0 for a miss.
   int chosen(scene::Root convention) const {
     if (discriminant < 0) return 0;
     if (root(-1) >= 0) return -1;
@@ -84,27 +84,27 @@ struct RootPair {
   }
 };
 
-/// x, or 0 if it is the rounding error of coordinates that cancel exactly.
+/// x, or 0 if x is only the rounding error of coordinates that cancel exactly.
 Wide cleaned(const Wide& x, const Wide& of) {
   return abs(x) < abs(of) * Wide(ldexp(Wide(1), -5000)) ? Wide(0) : x;
 }
 
-/// The truth about a ray and a sphere with floats as numbers, and about an answer. It shares no
-/// code with reference/: the literal formulas in MPFR, at a precision without roundings.
+/// The truth about a ray and a sphere whose numbers are floats. It shares no code with reference/:
+/// it uses the literal formulas in MPFR, at a precision without roundings.
 struct FloatTruth {
-  bool is_line_hit = false;   ///< The line meets the sphere.
-  bool is_tangent = false;    ///< In a double root.
-  bool is_hit = false;        ///< Under the `root` convention, tangents counted.
+  bool is_line_hit = false;   ///< Whether the line meets the sphere.
+  bool is_tangent = false;    ///< Whether it meets the sphere in a double root.
+  bool is_hit = false;        ///< Whether it is a hit under the `root` convention; tangents count.
   double s = 0;               ///< Correctly rounded to float, for a hit.
-  std::array<double, 3> Q{};  ///< Likewise.
+  std::array<double, 3> Q{};  ///< Correctly rounded to float, for a hit.
 };
 
 /// An answer's errors, to a relative 2^-40 and an absolute 2^-30.
 struct FloatErrors {
   bool is_at_other_root = false;
-  double s =
-      0;  ///< In ulp of float of the exact s; infinite where that is 0 and the answer is not.
-  double Q = 0;  ///< In u = 2^-24 of |Q|; likewise.
+  /// In ulp of float of the exact s; infinite where that is 0 and the answer is not.
+  double s = 0;
+  double Q = 0;  ///< In u = 2^-24 of |Q|; infinite if that is 0 and the answer is not.
 };
 
 /// Domain: floats between 2^-126 and 2^126 in size, or 0; a direction that is not 0; radius >= 0.
@@ -159,10 +159,10 @@ constexpr double kLeastError = 0x1p-28;
 
 double as_float(double x) { return scene::rounded_to(kSingle, x); }
 
-/// The deliberate error of an answer.
+/// The deliberate error in an answer.
 enum class Fault { kNone, kUlps, kOtherRoot, kMiss, kFalseHit };
 
-/// The answer of floats-in-doubles, off by a few ulps, at the other root, missing or made up.
+/// An answer in floats: right, off by a few ulps, at the other root, missing or false.
 std::optional<properties::HitAnswer> answer_to(const scene::Ray& ray, const scene::Sphere& sphere,
                                                properties::Random& random) {
   const auto dot = [](const scene::Vector3& a, const scene::Vector3& b) {
@@ -195,12 +195,12 @@ std::optional<properties::HitAnswer> answer_to(const scene::Ray& ray, const scen
 /// The verdict on one pair.
 struct Verdicts {
   bool missed = false, false_hit = false, wrong_root = false;
-  double s_error = 0, Q_error = 0;  ///< 0: exact, or not measured.
-  std::vector<double> s, Q;         ///< Exact; empty without a verdict.
+  double s_error = 0, Q_error = 0;  ///< 0 if exact, or if not measured.
+  std::vector<double> s, Q;         ///< The exact values; empty if there is no verdict.
 };
 
-/// A candidate that repeats given answers, with an empty domain, so that nothing is excused and no
-/// witness is searched.
+/// A candidate that repeats given answers. Its domain is empty, so that nothing is excused and no
+/// witness is searched for.
 properties::Candidate that_answers(
     const std::vector<std::vector<std::optional<properties::HitAnswer>>>& by_sphere,
     Precision precision) {
@@ -293,7 +293,8 @@ void compare(const Case& the_case, scene::Root root, properties::Random& random,
   }
 }
 
-/// Rays and spheres of every source, rounded to floats; a camera's rays are given.
+/// Compares on rays and spheres of every source, rounded to floats; the rays of cameras become
+/// given rays.
 Counts compare_on_all_sources(std::size_t pairs, Precision judged_in) {
   Counts counts;
   properties::Random random(1);

@@ -11,8 +11,7 @@ namespace {
 const Candidate kGood = fast_candidate(fast::kDirectRays, fast::kCross);
 const Candidate kBad = fast_candidate(fast::kDirectRays, fast::kQuadratic);
 
-/// Answers that are wrong in the same way agree; none of their hits is right, with or without
-/// misses.
+/// Answers that are wrong in the same way agree with each other, but none of their hits is right.
 TEST(Campaign, ReportsTooFewRightIfAnswersAreWrongInTheSameWay) {
   const Candidate misses = that_misses([](const auto&) { return true; });
   for (const char* law : {"scaling", "axes"}) {
@@ -52,7 +51,7 @@ TEST(Campaign, PartsDoNotDependOnEachOther) {
   for (std::size_t k = 0; k < of_distance.size(); ++k) expect_same(all[k + 1], of_distance[k]);
 }
 
-/// In one pass, by units in any order, each candidate called once for all laws.
+/// Campaigns run in one pass, by units in any order, and call each candidate once for all laws.
 TEST(Campaign, OfManyLawsAndCandidatesEqualsSeparateOnes) {
   CampaignOptions some = options_of(5 * kUnitCases, {"rays", "distance@9"});
   std::vector<const Law*> laws;
@@ -92,7 +91,8 @@ TEST(Campaign, OfManyLawsAndCandidatesEqualsSeparateOnes) {
   EXPECT_TRUE(any_broken);
 }
 
-/// Units that are kept do not depend on earlier ones; others skip laws that are known to be broken.
+/// Units that are stored do not depend on earlier units; others skip laws that are known to be
+/// broken.
 TEST(Campaign, KeptUnitsDoNotDependOnEarlierOnes) {
   CampaignOptions some = options_of(3 * kUnitCases, {"distance@12"});
   for (const bool are_kept : {true, false}) {
@@ -105,8 +105,8 @@ TEST(Campaign, KeptUnitsDoNotDependOnEarlierOnes) {
   }
 }
 
-/// A case of a source depends only on its number, not on their count. Units of a large campaign are
-/// larger, so that there are never many more than kMostUnits.
+/// A case of a source depends only on its number, not on the number of cases. Units of a large
+/// campaign are larger, so that there are never many more than kMostUnits.
 TEST(Campaign, HasLargerUnitsIfItIsLarger) {
   const auto few = options_of(200, {"rays"}), many = options_of(1'000'000'000, {"rays"});
   Campaigns small({{{find_law("class")}, few}});
@@ -114,7 +114,7 @@ TEST(Campaign, HasLargerUnitsIfItIsLarger) {
   EXPECT_EQ(small.unit_count(), 4u);
   EXPECT_GT(large.unit_count(), std::size_t{kMostUnits / 2});
   EXPECT_LE(large.unit_count(), std::size_t{kMostUnits + 1});
-  // Its first unit has more cases than the whole small campaign, and begins with the same.
+  // Its first unit has more cases than the whole small campaign, and begins with the same cases.
   std::vector<scene::Scene> asked[2];
   for (const bool is_large : {false, true}) {
     Candidate seen = kGood;
@@ -135,7 +135,7 @@ TEST(Campaign, HasLargerUnitsIfItIsLarger) {
   EXPECT_TRUE(asked[0] == asked[1]);
 }
 
-/// Each of another source or kind; all cases are judged.
+/// Each failure has another source or kind; all cases are judged.
 TEST(Campaign, KeepsGoingUntilThatManyFailuresDiffer) {
   CampaignOptions some = options_of(2000, {"distance", "tangency", "tangent-ulps"});
   const CampaignResult first = run_campaign(*find_law("class"), kBad, some);
@@ -160,7 +160,8 @@ TEST(Campaign, KeepsGoingUntilThatManyFailuresDiffer) {
   }
 }
 
-/// A candidate that only fails is dropped after some units, unless it answers in one of them.
+/// A candidate that only fails is dropped after some units. If it answers in one of them, it is
+/// not.
 TEST(Campaign, DropsACandidateThatAnswersNothing) {
   CampaignOptions some = options_of(500);
   for (const std::size_t answered_in : {std::size_t{1}, kUnitsToFail}) {
@@ -179,6 +180,9 @@ TEST(Campaign, DropsACandidateThatAnswersNothing) {
     const CampaignResult its = campaigns.finished(0, 0, fails);
     EXPECT_EQ(its.finding(), Finding::kBroken);
     EXPECT_EQ(its.parts.size() == kUnitsToFail, answered_in == kUnitsToFail);
+    ASSERT_TRUE(its.failure);
+    EXPECT_EQ(its.failure->is_shrunk, answered_in < kUnitsToFail);
+    EXPECT_TRUE(telling_cases(its, 12).empty());  // no mistake in answers explains failures
   }
 }
 
@@ -254,7 +258,7 @@ TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
 
 /// Harder cases do not displace the ordinary ones that break a law.
 TEST(Campaign, OfALevelBreaksTheLawsThatEasierLevelsBreak) {
-  // Wrong on few cases, of any severity.
+  // The candidate is wrong on few cases, of any severity.
   const Candidate rare =
       that_misses([](const auto& sphere) { return sphere.radius > 0.5 && sphere.radius < 0.6; });
   CampaignOptions asked = options_of(500, {}, Level::kOrdinary);
@@ -284,7 +288,7 @@ TEST(Campaign, JudgesNothingOutsideTheStatedDomain) {
   EXPECT_EQ(none.counts.not_judged, 200);
   EXPECT_EQ(none.verdict.compared(), 0u);
   EXPECT_EQ(none.finding(), Finding::kNotJudged);
-  // A promise of exact hit classes holds also outside the domain.
+  // A promise of exact hit classes holds outside the domain, too.
   small.exact_class = true;
   EXPECT_EQ(run_campaign(*find_law("class"), small, asked).counts.not_judged, 0);
   EXPECT_EQ(run_campaign(*find_law("parameter"), small, asked).counts.not_judged, 200);

@@ -43,7 +43,7 @@ double& number_in(Case& the_case, std::string_view name) {
   return is_direction ? of(ray.direction) : of(ray.origin);
 }
 
-/// Whether the law breaks at both ends of a range, and at neither neighbour of them.
+/// Whether the law breaks at both ends of a range, and does not break at the next numbers outside.
 bool is_tight(const Candidate& candidate, const Case& shrunk, const NumberRange& range) {
   const auto breaks_at = [&](double x) {
     Case moved = shrunk;
@@ -68,7 +68,8 @@ TEST(Ranges, EndAtTheLastDoubleBelowTheCandidatesThreshold) {
   EXPECT_FALSE(radius.is_any);
   EXPECT_FALSE(radius.certified);
   EXPECT_GT(radius.samples, 2 * kPointsBetween);
-  // By hand: a ray along the axis meets the sphere while its centre is at most r from the axis.
+  // Computed by hand: a ray along the axis meets the sphere if its centre is at most r from the
+  // axis.
   const NumberRange& across = range_called(found, "sphere 0 centre x");
   EXPECT_NEAR(across.span.greatest, 0.25, 1e-14);
   EXPECT_NEAR(across.span.least, -0.25, 1e-14);
@@ -118,7 +119,7 @@ TEST(Ranges, ReportNumbersThatMayBeAnythingAndThoseThatMatterExactly) {
   EXPECT_FALSE(exact.is_any);
 }
 
-/// Code with only wrong answers breaks the law everywhere: by false hits, then by misses.
+/// Code whose answers are all wrong breaks the law everywhere, by false hits or by misses.
 TEST(Ranges, KeepTheKindOfDefect) {
   Candidate opposite = that_misses([](const auto&) { return false; });
   opposite.intersect = [](const auto&... asked) {
@@ -211,7 +212,7 @@ TEST(Ranges, AreSoughtOnlyForBrokenLawsAndCheapQuestions) {
 
 // Certificates.
 
-/// Some numbers of a span, including the ends and the numbers next to them.
+/// Some numbers of a span, among them the ends and the numbers next to these.
 std::vector<double> some_of(const Span& span, int count, Random& random) {
   std::vector<double> some = {span.least, span.greatest, std::nextafter(span.least, span.greatest),
                               std::nextafter(span.greatest, span.least)};
@@ -222,7 +223,7 @@ std::vector<double> some_of(const Span& span, int count, Random& random) {
   return some;
 }
 
-/// The number of `count` numbers in a range at which the method's hit class is exact, or the law
+/// Of `count` numbers in a range, the number at which the method's hit class is exact, or the law
 /// holds.
 int count_right(const Candidate& candidate, const fast::IntersectMethod& method, const Case& shrunk,
                 const NumberRange& range, int count, Random& random) {
@@ -242,7 +243,7 @@ int count_right(const Candidate& candidate, const fast::IntersectMethod& method,
   return right;
 }
 
-/// Far spheres that the lecture's differences of squares get wrong.
+/// A case with a far sphere for which the lecture's differences of squares are wrong.
 std::optional<Case> far_failure(const Candidate& candidate, std::uint64_t seed) {
   CampaignOptions options = options_of(120, {"distance@11"});
   options.seed = seed;

@@ -1,4 +1,4 @@
-// The quality of answers: one case for every outcome, and the stability of a method on a source.
+// The quality of answers: a case for every outcome, and the stability of a method on a source.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/search/stress.h"
@@ -17,7 +17,7 @@ Verdict weigh(std::string_view law, const Case& the_case, const Candidate& candi
   return judge(law, the_case, candidate, {.conditioning = true});
 }
 
-/// The outcome of the parameter of a ray at a height; exactly one answer is weighed.
+/// The outcome of s of a ray at this height. Exactly one answer is weighed.
 Outcome outcome(double height, const Candidate& candidate) {
   const Verdict verdict = weigh("parameter", at_height(height), candidate);
   const Tally& tally = verdict.tallies().at(Quantity::kParameter);
@@ -41,7 +41,7 @@ TEST(Stability, DistinguishesExactAccurateAndUnstable) {
 }
 
 TEST(Stability, BlamesTheProblemWhereItsConditionNumberIsLarge) {
-  // At height 1 - 2^-40 d^2 is about 2^-39 and kappa about 2^37: an error of 1e5 ulp is nothing.
+  // At height 1 - 2^-40, d^2 is about 2^-39 and kappa about 2^37, so an error of 1e5 ulp is small.
   const double height = 1 - 0x1p-40;
   const double parameter = 5 - std::sqrt((1 - height) * (1 + height));
   const Candidate off = that_answers_parameter(parameter + 1e5 * kGap);
@@ -52,7 +52,8 @@ TEST(Stability, BlamesTheProblemWhereItsConditionNumberIsLarge) {
 }
 
 TEST(Stability, UsesTheBackwardErrorAtATangent) {
-  // s off by e makes Q off the sphere by e^2 only: a backward error of about 2^-60 is harmless.
+  // An error e of s moves Q off the sphere by only e^2: a backward error of about 2^-60, which is
+  // harmless.
   EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-30)), Outcome::kIllConditioned);
   EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-10)), Outcome::kUnstable);
   const Verdict verdict = weigh("parameter", at_height(1), that_answers_parameter(5 - 0x1p-30));

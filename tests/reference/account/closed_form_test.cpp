@@ -11,8 +11,8 @@ namespace {
 
 using namespace scene;
 
-/// The value of a closed form, and of a printed one: sums of products and quotients of integers,
-/// parentheses and square roots. Anything else throws std::runtime_error.
+/// The value of a closed form or of its text, which has sums, products and quotients of integers,
+/// parentheses and square roots. Other text throws std::runtime_error.
 class ClosedFormValue {
  public:
   static Big of(std::string_view text) {
@@ -34,7 +34,7 @@ class ClosedFormValue {
   }
 
  private:
-  /// From the short product if it has one.
+  /// The value of an integer, from its short product if it has one.
   static Big value_of(const ClosedForm::Natural& n) {
     return n.is_short_product() ? Big(ldexp(Big(n.odd), static_cast<int>(n.twos))) : Big(n.digits);
   }
@@ -120,12 +120,13 @@ TEST(ClosedForm, TermsThatVanishAreDropped) {
 TEST(ClosedForm, SquareFactorsAreTakenOut) {
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {2, 2, 2}}).length().text(), "2*sqrt(3)");
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {0.5, 0.25, 0}}).length().text(), "1/4*sqrt(5)");
-  // 65537 is beyond the primes that are tried; the cofactor of this radicand is its square.
+  // 65537 is larger than the primes that are tried, but what is left of this radicand is its
+  // square.
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65537, 65537, 0}}).length().text(), "65537*sqrt(2)");
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65521, 65521, 65521}}).length().text(), "65521*sqrt(3)");
 }
 
-TEST(ClosedForm, HitsOutsideTheFieldKeepOneNestedRoot) {
+TEST(ClosedForm, HitsThatNeedARootOutsideTheFieldKeepOneNestedRoot) {
   scene::Conventions conventions;
   conventions.origin = scene::Origin::kFocal;
   const Camera camera{{0, 0, 0}, {-1, -1, -1}, {0, 0, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
@@ -133,7 +134,7 @@ TEST(ClosedForm, HitsOutsideTheFieldKeepOneNestedRoot) {
   const Sphere sphere{{-2, -1, -1}, 1};
   const std::string s = ray.parameter(sphere, kSmallerHit).text();
   const std::string d_sq = ray.half_chord_sq(sphere).text();
-  EXPECT_TRUE(has(d_sq, "sqrt("));  // and so has s
+  EXPECT_TRUE(has(d_sq, "sqrt("));  // s then has a nested root
   EXPECT_EQ(s, "-sqrt(" + d_sq + ") + " + ray.axial_distance(sphere).text());
 }
 
@@ -148,7 +149,7 @@ TEST(ClosedForm, NestedRootsKeepTheirCoefficients) {
   EXPECT_EQ(product.text(), "-1/5*sqrt(3)*sqrt(sqrt(2) - 3) + 1");
 }
 
-TEST(ClosedForm, SaysWhichIntegersAreShortProducts) {
+TEST(ClosedForm, FindsIntegersThatAreShortProducts) {
   const auto x_of = [](double x) { return ClosedFormRay(Ray{{x, 0, 0}, {1, 0, 0}}).origin()[0]; };
   const auto power = [](const ClosedForm::Natural& n) { return std::pair(n.odd, n.twos); };
   using Power = std::pair<unsigned, unsigned>;
@@ -171,7 +172,7 @@ TEST(ClosedForm, InvalidInputIsRefused) {
   EXPECT_THROW(ClosedFormRay(camera, {}, {0, -1}), std::invalid_argument);
 }
 
-/// Whether a closed form, as it is and as its text, has an enclosed value.
+/// Whether the values of a closed form and of its text are in an enclosure.
 bool has_value(const ClosedForm& form, const Enclosure& value) {
   return contains(value, ClosedFormValue::of(form)) &&
          contains(value, ClosedFormValue::of(form.text()));
@@ -183,7 +184,7 @@ void expect_same(const ClosedForm3& forms, const Enclosure3& values) {
   EXPECT_TRUE(has_value(forms[2], values.z)) << forms[2].text();
 }
 
-/// Compares the two on one ray and a sphere; returns whether it was a hit.
+/// Compares closed forms and enclosures for one ray and a sphere; returns whether it was a hit.
 bool expect_same_hit(const ClosedFormRay& forms, const ExactRay& ray, const Sphere& sphere) {
   expect_same(forms.origin(), ray.origin());
   expect_same(forms.direction(), ray.direction());

@@ -1,6 +1,6 @@
-// Condition numbers: against differences of enclosures at changed inputs, intervals against balls,
-// closed forms of derivatives, those of the stages against the derivatives of each step, and known
-// by hand.
+// Compares condition numbers with differences of enclosures at changed inputs, with closed forms of
+// derivatives and with values computed by hand; those by intervals with those by balls; and those
+// of stages with the derivatives of each step.
 
 #include "reference/account/condition.h"
 
@@ -38,12 +38,12 @@ void expect_same_condition(double one, double other, const std::string& what) {
       << what << ": " << one << " and " << other;
 }
 
-/// A camera's ray and a sphere, of which condition numbers are computed.
+/// A camera's ray and a sphere.
 struct CameraCase {
   Camera camera;
   scene::Conventions conventions;
   scene::Pixel pixel;
-  std::vector<Sphere> spheres;  ///< One.
+  std::vector<Sphere> spheres;  ///< One sphere.
 
   ExactRay ray() const { return ExactRay(ExactCamera(camera, conventions), pixel); }
   std::string text() const { return spelled(camera) + spelled(spheres[0]); }
@@ -67,8 +67,8 @@ double norm_of(const std::vector<Enclosure>& v) {
   return std::sqrt(squares);
 }
 
-/// sum |dq/dx|_2 |x| / |q|_2 by central differences of doubles 2^-21 |x| apart, whose values are
-/// enclosed at 400 bits: the error by higher derivatives is far below kDifferenceError.
+/// sum |dq/dx|_2 |x| / |q|_2 by central differences of doubles that are 2^-21 |x| apart, with
+/// values enclosed at 400 bits. The error from higher derivatives is far below kDifferenceError.
 double condition_by_differences(const CameraCase& at, const Value& value) {
   double sum = 0;
   CameraCase moved = at;
@@ -87,7 +87,7 @@ double condition_by_differences(const CameraCase& at, const Value& value) {
   return sum / norm_of(value(at));
 }
 constexpr double kDifferenceError = 0x1p-8;
-/// Larger condition numbers are not compared, as differences would be too inaccurate.
+/// Larger condition numbers are not compared, since differences would be too inaccurate.
 constexpr double kMostComparedCondition = 0x1p12;
 
 std::vector<Enclosure> listed(const Enclosure3& v) { return {v.x, v.y, v.z}; }
@@ -136,7 +136,7 @@ void expect_differences(const CameraCase& at, Compared& counts) {
           [&](const auto& r, const auto& s) { return r.point(s, met); });
 }
 
-TEST(CameraCondition, IsThatOfSmallDifferences) {
+TEST(CameraCondition, AgreesWithSmallDifferences) {
   Random random(1);
   Compared of_cameras;
   for (int k = 0; k < 40; ++k) {
@@ -179,7 +179,7 @@ std::vector<double> all_conditions(const ExactRay& ray, const Sphere& sphere) {
   return result;
 }
 
-/// Makes lengths so large that squares overflow: intervals then decide nothing, and balls are used.
+/// Makes lengths so large that squares overflow. Intervals then decide nothing, and balls are used.
 void enlarge(const std::vector<double*>& lengths) {
   for (double* const x : lengths) *x = std::ldexp(*x, 700);
 }
@@ -196,7 +196,7 @@ int compare(const std::vector<double>& ordinary, const std::vector<double>& enla
   return finite;
 }
 
-TEST(ConditionArithmetics, AgreeAboutGivenRaysAndThoseOfCameras) {
+TEST(ConditionArithmetics, AgreeForGivenRaysAndRaysOfCameras) {
   for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kOrdinary}) {
     Random random(2);
     int given = 0, of_cameras = 0;
@@ -243,20 +243,20 @@ TEST(Condition, IsInfiniteAtATangent) {
   EXPECT_LT(condition_of_axial_distance(ray, kUnit), 3);
 }
 
-TEST(Condition, IsInfiniteWhereSmallChangesMoveAValueFromZero) {
-  // v = T.D = 0, of terms that cancel.
+TEST(Condition, IsInfiniteIfSmallChangesMoveAValueFromZero) {
+  // v = T.D = 0, since its terms cancel.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 1, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{3, -3, 0}, 1}), kInfinity);
   // Q = 0, the world's origin.
   const ExactRay to_origin(scene::Ray{{-1, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_point(to_origin, {{2, 0, 0}, 2}, kSmallerHit), kInfinity);
-  // Beyond the doubles: s = 2^-1075 of numbers near 1.
+  // s = 2^-1075 from numbers near 1 is out of the range of doubles.
   const ExactRay close(scene::Ray{{-1, 0x1p-537, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_parameter(close, {{0, 0, 0}, 1}, kSmallerHit), kInfinity);
 }
 
-TEST(Condition, IsZeroWhereNoSmallChangeMovesAZero) {
-  // T = (0, 3, 0) and D = (1, 0, 0): relative changes leave v = 0.
+TEST(Condition, IsZeroIfNoSmallChangeMovesAZero) {
+  // For T = (0, 3, 0) and D = (1, 0, 0), relative changes leave v = 0.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{0, 3, 0}, 1}), 0);
   // A point on the axis stays there.
@@ -267,7 +267,7 @@ TEST(Condition, IsZeroWhereNoSmallChangeMovesAZero) {
 
 Big3 axis(std::size_t k) { return {Big(k == 0 ? 1 : 0), Big(k == 1 ? 1 : 0), Big(k == 2 ? 1 : 0)}; }
 
-/// sum |dq/dx| |x| over |q|; infinite as condition numbers are.
+/// sum / size, the condition number; infinite if a condition number is.
 Big over(const Big& sum, const Big& size) {
   if (size != 0) return sum / size;
   return sum == 0 ? Big(0) : Big(kInfinity);
@@ -285,7 +285,7 @@ struct ByHand {
     half_chord_sq = r * r - dot(moment, moment);
     const Big half_chord = half_chord_sq > 0 ? Big(sqrt(half_chord_sq)) : Big(0);
     s = (at.root == WhichRoot::kSmaller ? Big(v - half_chord) : Big(v + half_chord)) / length;
-    // 0 exactly where the ray starts on the sphere.
+    // s is exactly 0 if the ray starts on the sphere.
     if (dot(t, t) == r * r && (at.root == WhichRoot::kSmaller) == (dot(t, d) > 0)) s = 0;
     q = L + s * d - C;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -341,7 +341,7 @@ int compare_with_closed_forms(Sizes sizes, std::uint64_t seed, int cases) {
     if (at.hit_class == HitClass::kTangent) continue;
     const ByHand by_hand(ray, sphere, at);
     const std::string what = spelled(ray) + spelled(sphere);
-    // A v or d^2 that is 0 only up to the rounding of the closed form is not compared.
+    // v or d^2 is not compared if it is 0 except for the rounding of the closed form.
     if (abs(by_hand.v) > by_hand.axial_sum * power_of_two(-5000)) {
       expect_condition(condition_of_axial_distance(exact, sphere),
                        by_hand.axial_sum / abs(by_hand.v), "v of " + what);
@@ -360,7 +360,7 @@ int compare_with_closed_forms(Sizes sizes, std::uint64_t seed, int cases) {
   return compared;
 }
 
-TEST(Condition, IsThatOfTheClosedForms) {
+TEST(Condition, AgreesWithTheClosedForms) {
   EXPECT_GE(compare_with_closed_forms(Sizes::kOrdinary, 1, 2000), 200);
   EXPECT_GE(compare_with_closed_forms(Sizes::kSmallIntegers, 2, 2000), 200);
   EXPECT_GE(compare_with_closed_forms(Sizes::kAll, 3, 1000), 100);
@@ -424,7 +424,7 @@ void expect_sphere_stages(const SphereStageConditions& got, const Big3& L, const
   if (at.hit_class != HitClass::kHit) return;
   const Big s = at.root == WhichRoot::kSmaller ? hit.smaller() : hit.larger();
   const Big root_sum = abs(hit.v) + sqrt(hit.d_sq) / 2;
-  // Where the ray starts on the sphere the literal formula is 0 but for rounding.
+  // If the ray starts on the sphere, the literal formula is 0 except for rounding.
   if (abs(s) > root_sum * power_of_two(-3000)) {
     expect_condition(*got.root, root_sum / abs(s), "s of " + what);
   } else {
@@ -434,7 +434,7 @@ void expect_sphere_stages(const SphereStageConditions& got, const Big3& L, const
   expect_condition(*got.point, point / norm(L + s * D), "Q of " + what);
 }
 
-TEST(StageCondition, IsThatOfTheStepsByHand) {
+TEST(StageCondition, AgreesWithDerivativesByHand) {
   Random random(1);
   int hits = 0;
   for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kOrdinary}) {
@@ -446,7 +446,7 @@ TEST(StageCondition, IsThatOfTheStepsByHand) {
       const ExactRay exact(ExactCamera(camera, conventions), pixel);
       const LectureRay ray = lecture_ray(camera, conventions, pixel);
       const std::string what = spelled(camera) + spelled(sphere);
-      // A P that is 0 but for rounding is not compared.
+      // P is not compared if it is 0 except for rounding.
       if (norm(ray.P) < power_of_two(-3000)) continue;
       expect_ray_stages(stage_conditions(exact), ray, big(camera.eye), Big(camera.near), what);
       const Big3 L = conventions.origin == scene::Origin::kPixel ? ray.P : big(camera.eye);
@@ -466,7 +466,7 @@ TEST(StageCondition, IsThatOfTheStepsByHand) {
   EXPECT_GE(hits, 40);
 }
 
-TEST(StageCondition, OfATangentsRootIsThatOfV) {
+TEST(StageCondition, OfTheRootOfATangentIsThatOfV) {
   const ExactRay ray(scene::Ray{{-5, 1, 0}, {1, 0, 0}});
   const SphereStageConditions got = stage_conditions(ray, kUnit, kTangent);
   expect_condition(got.root.value(), Big(1), "s");
@@ -476,7 +476,7 @@ TEST(StageCondition, OfATangentsRootIsThatOfV) {
 }
 
 /// s = 9: (|T| + d + (2 |T||v| + |T|^2 + r^2)/2d)/|s| = (10 + 1 + (200 + 100 + 1)/2)/9.
-TEST(TextbookCondition, IsThatOfTheFormulaByHand) {
+TEST(TextbookCondition, AgreesWithTheFormulaByHand) {
   const ExactRay ray(scene::Ray{{-10, 0, 0}, {2, 0, 0}});
   expect_condition(textbook_condition(ray, kUnit, {HitClass::kHit, WhichRoot::kSmaller}),
                    Big(11 + 150.5) / 9, "s");

@@ -1,5 +1,5 @@
-// Witnesses and refutations of wrong choices among spheres: of given rays against rational
-// arithmetic, of cameras against the changed cameras. tools/verify_certificates.py checks those of
+// Checks witnesses and refutations of wrong choices among spheres: for given rays by rational
+// arithmetic, for cameras by the changed cameras. tools/verify_certificates.py checks those of
 // single answers, and all witnesses again.
 
 #include "reference/account/nearby_choice.h"
@@ -41,7 +41,7 @@ int sign_of_sum(const Fraction& p, const Fraction& q, const Fraction& x, const F
 /// A sphere's equation along a ray at changed inputs: a mu^2 - 2 b mu + c.
 struct Met {
   Fraction b = 0, c = 0, discriminant = 0;
-  int root = 0;  ///< -1 or 1: the root that the conventions ask for; 0: a miss.
+  int root = 0;  ///< The root that the conventions ask for: -1 or 1; 0: a miss.
 };
 
 /// A ray and spheres at changed inputs, and whether a claim is right there.
@@ -104,8 +104,8 @@ Nearby found(const Spheres& spheres, const FirstMet& claim) {
   return right_nearby(ray, spheres, {.relative_change = kChange}, claim).found;
 }
 
-TEST(NearbyChoice, TellsToTheLastBitHowCloseTwoSpheresAre) {
-  // The far one's front is 1 - k u of the near one's radius away from it.
+TEST(NearbyChoice, DecidesCloseSpheresToTheLastBit) {
+  // The front of the far sphere is k u behind that of the near sphere.
   for (int k = 1; k <= 80; ++k) {
     const Spheres spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, 1 - k * kU}};
     if (k == 32) continue;  // only 256 u^2 decides
@@ -144,7 +144,7 @@ double slightly_changed(Random& random, double x) {
   return x * (1 + random.sign() * std::pow(10, -static_cast<double>(random.integer(3, 16))));
 }
 
-/// Spheres that a ray meets nearly at once, nearly touches, or starts nearly on.
+/// Spheres that a ray meets nearly at the same s, nearly touches, or nearly starts on.
 Spheres critical_spheres(Random& random, const Ray& ray) {
   const auto& [o, d] = ray;
   Spheres spheres;
@@ -176,8 +176,8 @@ struct Counts {
   int witnesses = 0, not_right = 0, refutations = 0, undecided = 0;
 };
 
-/// Checks the result for a wrong claim about `inputs` numbers: the claim is right at the witness,
-/// or, if there is no witness, nowhere within `most`.
+/// Checks the result for a wrong claim about `inputs` numbers. The claim must be right at the
+/// witness; without a witness, it must be wrong at random places within `most`.
 template <class IsRight>
 void expect_holds(Random& random, const NearbyAnswer& nearby, std::size_t inputs, double most,
                   int places, Counts& counts, const IsRight& is_right) {
@@ -220,7 +220,7 @@ Counts of_given_rays(double change, int cases, std::uint64_t seed) {
   return counts;
 }
 
-TEST(NearbyChoice, OfNearTiesIsWitnessedOrRefutedAndFractionsAgree) {
+TEST(NearbyChoice, OfNearTiesAgreesWithFractions) {
   for (const double change : {kChange, 1e-12, 1e-6, 1e-2}) {
     const Counts counts = of_given_rays(change, change == kChange ? 600 : 160, 3);
     EXPECT_GE(counts.witnesses, 80);
@@ -231,10 +231,10 @@ TEST(NearbyChoice, OfNearTiesIsWitnessedOrRefutedAndFractionsAgree) {
   }
 }
 
-/// A change far larger than rounding errors, so that changed inputs may be rounded.
+/// A relative change far larger than rounding errors, so that changed inputs may be rounded.
 constexpr double kWide = 0x1p-26;
 
-/// Spheres that all pass close by one point of the ray, or whose silhouettes pass close by it.
+/// Spheres whose surfaces or silhouettes all pass close to one point of the ray.
 Spheres spheres_near_a_point(Random& random, const ExactRay& ray) {
   const scene::Point3 from = ray.rounded_origin();
   const scene::UnitVector3 along = ray.rounded_direction();
@@ -254,7 +254,7 @@ bool is_right_of(const FirstMet& claim, const std::optional<NearestSphere>& near
   return nearest && (claim.what == What::kSomething || nearest->index == claim.sphere);
 }
 
-TEST(NearbyChoice, OfCamerasHoldsForCamerasSoChanged) {
+TEST(NearbyChoice, OfCamerasHoldsForTheChangedCameras) {
   Random random(6);
   Counts counts;
   for (int k = 0; k < 240; ++k) {
@@ -280,7 +280,7 @@ TEST(NearbyChoice, OfCamerasHoldsForCamerasSoChanged) {
   EXPECT_GE(counts.witnesses, 80);
   EXPECT_GE(counts.refutations, 80);
   EXPECT_EQ(counts.undecided, 0);
-  EXPECT_LE(counts.not_right, counts.witnesses / 100);  // by rounding
+  EXPECT_LE(counts.not_right, counts.witnesses / 100);  // due to rounding
 }
 
 }  // namespace

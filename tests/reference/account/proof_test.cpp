@@ -67,14 +67,14 @@ TEST(Proof, StatesOnlyWhatDecides) {
   EXPECT_FALSE(missed.c || missed.b || missed.s);
 }
 
-/// An eye at the origin; pixel (0, 0) is at 3 U along U, 4 in front of the eye and 5 away from it.
+/// A camera with the eye at the origin. Pixel (0, 0) is at 3 U - 4 W, 5 away from the eye.
 Camera camera_345(const scene::Point3& look_at) {
   return {{0, 0, 0}, look_at, {0, 1, 0}, -4, {}, 3, 6, 0, 1, 2, 2};
 }
 
-// The pixel point lies on the sphere about the eye of radius 5: of an oblique camera because
-// orthonormal axes make |3 U - 4 W| 5, which no bracket of sqrt(3) and sqrt(2) shows.
-TEST(Proof, IsEmptyWhereOnlySquareRootsMakeATie) {
+// The pixel point lies on the sphere of radius 5 about the eye. For an oblique camera this is so
+// because |3 U - 4 W| = 5 for orthonormal axes, which no bracket of sqrt(3) and sqrt(2) shows.
+TEST(Proof, IsEmptyIfOnlySquareRootsMakeATie) {
   const std::vector<Sphere> spheres = {{{0, 0, 0}, 5}};
   Proposition wanted;
   wanted.spheres = spheres;
@@ -98,7 +98,7 @@ TEST(Proof, ShowsTheOrderOfSpheres) {
   };
   EXPECT_TRUE(is_shown({{{0, 0, 0}, 1}, {{0, 0, 0}, 1}})) << "the same sphere twice";
   EXPECT_TRUE(is_shown({{{0, 0, 0}, 1}, {{0, 0, 0}, std::nextafter(1.0, 2.0)}}));
-  // Both at s = 4/3, which no dyadic bracket shows.
+  // Both are met at s = 4/3, which no dyadic bracket shows.
   EXPECT_FALSE(is_shown({{{0, 0, 0}, 1}, {{1, 0, 0}, 2}}));
 }
 

@@ -1,4 +1,5 @@
-// Which roots count: t_min, t_max with their ends, in s or in radii, and culling, decided exactly.
+// The roots that count, decided exactly: t_min and t_max in s, radii or lengths, their ends,
+// culling.
 
 #include "reference/account/internal/vector_length.h"
 #include "reference/account/nearby_valid.h"
@@ -48,7 +49,7 @@ TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
   EXPECT_EQ(ray.compare_parameter(point, at, nudged(s, -1), TUnit::kAbsolute), 1);
   EXPECT_EQ(ray.compare_parameter(point, at, nudged(s, 1), TUnit::kAbsolute), -1);
   EXPECT_NE(ray.compare_parameter(point, at, s, TUnit::kAbsolute), 0);
-  const scene::Sphere around{{0, 0, 0}, 3};  // its far root is 3, a rational, by square roots
+  const scene::Sphere around{{0, 0, 0}, 3};  // its far root, computed by square roots, is 3
   EXPECT_EQ(ray.compare_parameter(around, ray.intersect(around), 3, TUnit::kAbsolute), 0);
   EXPECT_EQ(ray.compare_parameter(around, ray.intersect(around), 1, TUnit::kRadius), 0);
   EXPECT_EQ(met(ray, around, {0, 1, Ends::kOpenMax, TUnit::kRadius, {}}), "miss");
@@ -77,7 +78,7 @@ TEST(ValidRoots, AgreeInEveryStageNearTheEnds) {
 }
 
 TEST(ValidRoots, MayBeSceneLengthsAlongTheRay) {
-  // At 1, 1.5 and 2 scene lengths: s = 2^-10 of them.
+  // Roots at 1, 1.5 and 2 scene lengths; s is 2^-10 times the length.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1024, 0, 0}});
   const scene::Sphere sphere{{1.5, 0, 0}, 0.5};
   const auto from = [](double t, Ends ends) {
@@ -86,7 +87,7 @@ TEST(ValidRoots, MayBeSceneLengthsAlongTheRay) {
   EXPECT_EQ(met(ray, sphere, from(1, Ends::kClosed)), "near");
   EXPECT_EQ(met(ray, sphere, from(1, Ends::kOpen)), "far");
   EXPECT_EQ(met(ray, sphere, from(nudged(2, 1), Ends::kClosed)), "miss");
-  // |direction| = sqrt(3) is not a double: the sphere begins at 10 sqrt(3).
+  // |direction| = sqrt(3) is not a double. The sphere begins at the length 10 sqrt(3).
   const ExactRay slanted(scene::Ray{{0, 0, 0}, {1, 1, 1}});
   const scene::Sphere point{{10, 10, 10}, 0};
   const double s = 10 * std::sqrt(3.0);
@@ -136,7 +137,7 @@ TEST(RefutedNearby, LeavesTangentsFarFromAnyEndToTheSearchForWitnesses) {
   EXPECT_EQ(missed({1e-3, kNoEnd, Ends::kOpen, {}, Culling::kFrontFaces}), Nearby::kUndecided);
 }
 
-/// For lines, tangents behind the origin are treated like those ahead, and a clear miss is not
+/// For lines, tangents behind the origin are treated like tangents ahead, and a clear miss is not
 /// excused.
 TEST(RefutedNearby, ReversesLinesBehindTheirOrigin) {
   const auto missed = [](const scene::Sphere& sphere, const scene::ValidRoots& valid) {
@@ -148,7 +149,7 @@ TEST(RefutedNearby, ReversesLinesBehindTheirOrigin) {
   EXPECT_EQ(missed({{-3, 1, 0}, 1}, {-kInfinity, -3, {}, {}, {}}), Nearby::kUndecided);
 }
 
-TEST(RefutedNearby, LeavesUndecidedWhatLiesAtAnEnd) {
+TEST(RefutedNearby, LeavesRootsAtAnEndUndecided) {
   for (const double t : {nudged(2, -2), 2.0, nudged(2, 2)}) {
     EXPECT_EQ(nearby({}, {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
     EXPECT_EQ(nearby(nudged(2, 2), {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
@@ -157,7 +158,7 @@ TEST(RefutedNearby, LeavesUndecidedWhatLiesAtAnEnd) {
   EXPECT_EQ(nearby(2, {2 + 0x1p-40, kNoEnd, {}, {}, {}}), Nearby::kRefuted);
 }
 
-TEST(RefutedNearby, IsAnAnswerThatTheIntervalExcludesHoweverCloseToItsEnd) {
+TEST(RefutedNearby, IsAnAnswerOutsideTheIntervalEvenCloseToItsEnd) {
   for (const double t : {2.0, nudged(2, 1)}) {
     EXPECT_EQ(nearby(2, {t, kNoEnd, Ends::kOpen, {}, {}}), Nearby::kRefuted) << t;
     EXPECT_EQ(nearby(nudged(2, 2), {t, kNoEnd, Ends::kOpen, {}, {}}), Nearby::kUndecided) << t;
@@ -167,7 +168,7 @@ TEST(RefutedNearby, IsAnAnswerThatTheIntervalExcludesHoweverCloseToItsEnd) {
   EXPECT_EQ(nearby(2, {0, 2, Ends::kOpenMin, {}, {}}), Nearby::kUndecided);
 }
 
-/// The product of t and the radius is taken exactly: 0.1 * 3 is not a double.
+/// The product of t and the radius is exact: 0.1 * 3 is not a double.
 TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
   const double rounded = 0.1 * 3;  // above the product
   ASSERT_GT(std::fma(-0.1, 3, rounded), 0);
@@ -178,7 +179,7 @@ TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
     EXPECT_TRUE(is_outside(from, kRayAlongX, kRadius3, nudged(rounded, -1)));
     EXPECT_TRUE(is_outside(to, kRayAlongX, kRadius3, rounded));
     EXPECT_FALSE(is_outside(to, kRayAlongX, kRadius3, nudged(rounded, -1)));
-    // Where it is a double, the end decides.
+    // If the product is a double, the end decides.
     const scene::ValidRoots half{0.5, kNoEnd, ends, TUnit::kRadius, {}};
     EXPECT_EQ(is_outside(half, kRayAlongX, kRadius3, 1.5), ends == Ends::kOpen);
   }
@@ -188,8 +189,8 @@ TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
       is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, kRayAlongX, {{}, 0x1p-60}, 0));
 }
 
-/// As for one sphere: where no end matters, witnesses are searched for.
-TEST(RefutedNearby, LeavesWhatIsMetFirstToTheSearchForWitnesses) {
+/// If no end matters, witnesses are searched for, as for one sphere.
+TEST(RefutedNearby, LeavesTheFirstHitToTheSearchForWitnesses) {
   const std::vector<scene::Sphere> touched = {{{3, 1, 0}, 1}, {{-9, 0, 0}, 1}};
   const auto claim = [&](FirstMet::What what, double t_min) {
     const Neighbourhood around{.relative_change = kNearby,
@@ -201,7 +202,7 @@ TEST(RefutedNearby, LeavesWhatIsMetFirstToTheSearchForWitnesses) {
   EXPECT_EQ(claim(FirstMet::What::kNothing, 3), Nearby::kUndecided);
 }
 
-TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
+TEST(RefutedNearby, DecidesWhichSphereIsMetFirst) {
   const std::vector<scene::Sphere> spheres = {kFromTwoToFour, {{13, 0, 0}, 1}};
   const auto claim = [&](FirstMet::What what, std::size_t sphere, double t_min) {
     const Neighbourhood around{.relative_change = kNearby, .valid = {t_min, kNoEnd, {}, {}, {}}};
@@ -214,9 +215,9 @@ TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
   EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 4), Nearby::kUndecided);
 }
 
-/// (1 - k u)(1 + 16 u) > 1 - 16 u, by which a hit at height 1 - k u is nearly a miss, is k < 32;
-/// and likewise (1 + k u)(1 - 16 u) <= 1 + 16 u above, where k is even.
-TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
+/// A hit at height 1 - k u is nearly a miss if (1 - k u)(1 + 16 u) > 1 - 16 u, that is, if k < 32.
+/// A miss at height 1 + k u, k even, is nearly a hit if (1 + k u)(1 - 16 u) <= 1 + 16 u.
+TEST(NearbyAnswer, DecidesNearMissesToTheLastBit) {
   const auto found = [](double height, const std::optional<double>& answer) {
     const ExactRay ray(scene::Ray{{-5, height, 0}, {1, 0, 0}});
     return right_nearby(ray, kUnit, {.relative_change = kNearby}, answer).found;
@@ -251,7 +252,7 @@ double at(const Variation& variation, const std::vector<double>& t) {
   return value;
 }
 
-/// The lengths that refute answers far from right.
+/// These lengths refute answers that are far from right.
 TEST(VectorLength, IsShortestWhereNoOtherPointOfTheBoxIsShorter) {
   Random random(5);
   int certainly_longer = 0;

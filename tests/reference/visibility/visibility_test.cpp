@@ -8,7 +8,7 @@
 
 namespace raycheck::reference {
 
-std::int64_t kernel_targets();  // of visibility_kernel.h, with whose names others here clash
+std::int64_t kernel_targets();  // in visibility_kernel.h, whose other names clash with those here
 
 namespace {
 
@@ -42,7 +42,7 @@ ExactRay ray_at(const ExactCamera& camera, std::size_t pixel) {
   return {camera, {index % width, index / width}};
 }
 
-/// Compares every pixel, or one in `step`, with the exact ray; returns the number that meet a
+/// Compares every step-th pixel with the exact ray; returns the number of pixels that meet a
 /// sphere.
 int expect_exact(const scene::Scene& scene, const Seen& seen, std::size_t step = 1) {
   const ExactCamera camera(*scene.camera, scene.conventions);
@@ -98,7 +98,8 @@ struct Uniform {
   }
 };
 
-/// Spheres of all sizes about the eye, before and behind it, some around it or cut by the plane.
+/// Spheres of all sizes, in front of the eye and behind it; some are around the eye or cut by the
+/// image plane.
 scene::Scene random_scene(unsigned seed, double scale = 1) {
   Uniform between{std::mt19937_64(seed)};
   scene::Scene scene;
@@ -126,7 +127,7 @@ scene::Scene random_scene(unsigned seed, double scale = 1) {
 }
 
 TEST(Visibility, IsExactAtTheEndOfTheRange) {
-  // |Q - E| is out of range; s, from the pixel on, is not.
+  // |Q - E| is out of range, but s, which counts from the pixel, is not.
   constexpr double kFar = 1.7e308;
   scene::Scene scene;
   scene.camera =
@@ -166,7 +167,7 @@ TEST(Visibility, IsExactUnderEveryConvention) {
   EXPECT_GT(hits, 1'700);
 }
 
-/// The least of which are subnormal: the filter decides these, too.
+/// The smallest lengths are subnormal. The filter decides these, too.
 TEST(Visibility, IsExactAtEveryScale) {
   int hits = 0;
   for (const double scale : {0x1p1000, 0x1p500, 0x1p300, 0x1p-300, 0x1p-480, 0x1p-1000, 0x1p-1020,
@@ -185,7 +186,7 @@ TEST(Visibility, IsExactAtEveryScale) {
 }
 
 TEST(Visibility, IsExactWithMoreSpheresThanAreListedAtFirst) {
-  // Many near ones on the left, few far ones on the right, and almost all behind the eye.
+  // Many near spheres on the left, few far spheres on the right; almost all are behind the eye.
   Uniform between{std::mt19937_64(1)};
   scene::Scene scene;
   scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 70, 18};
@@ -207,7 +208,7 @@ TEST(Visibility, IsExactWithMoreSpheresThanAreListedAtFirst) {
   EXPECT_TRUE(meets(0) && meets(30));
   EXPECT_LT(hits, 70 * 18);
 
-  // In parts, by several threads of which each may be the first to list more; and of other roots.
+  // In parts, by several threads, each of which may be the first to list more; and for other roots.
   const Visibility fresh = visibility_of(scene);
   Seen parts(pixels_of(scene));
   std::vector<std::thread> threads;
@@ -229,7 +230,7 @@ TEST(Visibility, IsExactWithMoreSpheresThanAreListedAtFirst) {
 }
 
 TEST(Visibility, SkipsNoVisibleSphere) {
-  // Surfaces equally near everywhere: some of the later spheres are visible.
+  // The surfaces are equally near everywhere, so that some of the later spheres are visible.
   for (const int count : {300, 5'000}) {
     for (const std::uint64_t seed : {1U, 2U}) {
       SCOPED_TRACE(seed);
@@ -267,7 +268,8 @@ TEST(Visibility, DecidesTangentsAndTiesExactly) {
   EXPECT_GE(seen.decided_by.fallback(), 2U);
 }
 
-/// One row of pixels in a plane that touches a sphere at the eye, or passes that close to it.
+/// A row of pixels in a plane that touches a sphere at the eye; the radius is larger by the share
+/// `above`.
 scene::Scene tangent_row(double above, scene::Samples samples, const scene::Point3& look_at) {
   scene::Scene scene;
   scene.camera = scene::Camera{{0, 0, 0}, look_at, {0, 1, 0}, -1, {}, -.7, .8, -.5, .5, 131, 1};
@@ -300,8 +302,8 @@ TEST(Visibility, DecidesWholeRowsOfTangents) {
   }
 }
 
-/// Pixels that would count as tangent if fewer columns were checked, or if tangents of other rows
-/// or spheres counted.
+/// Has pixels that would count as tangent if fewer columns were checked, or if tangents of other
+/// rows or spheres counted.
 TEST(Visibility, FindsNoTangentsInOtherRows) {
   scene::Scene scene = tangent_row(0, scene::Samples::kEdges, {0, 0, -1});
   const scene::Sphere below = scene.spheres.front(), aside = {{3, 0, -5}, 3};
@@ -321,7 +323,7 @@ TEST(Visibility, FindsNoTangentsInOtherRows) {
   expect_exact(scene, see(visibility_of(scene)));
 }
 
-/// Where roots behind the eye count, tangents of one row are at different s.
+/// If roots behind the eye count, tangents of one row are at different s.
 TEST(Visibility, DecidesTangentsOfLinesOneByOne) {
   for (const double t_max : {kInfinity, -1.05}) {
     scene::Scene scene = tangent_row(0, scene::Samples::kCentres, {0, 0, -1});
@@ -394,7 +396,7 @@ TEST(Visibility, DoesNotDependOnTheRowsOfACall) {
 }
 
 TEST(Visibility, DoesNotDependOnTheTarget) {
-  // With a sphere that rays leave or miss so near to the eye that only pairs decide where.
+  // A sphere that rays leave or miss so near to the eye that only pairs decide where.
   scene::Scene scene = random_scene(3);
   scene.conventions.origin = scene::Origin::kFocal;
   const auto& [x, y, z] = scene.camera->eye;
@@ -419,7 +421,7 @@ TEST(Visibility, ClassesAreExact) {
   for (const unsigned seed : {1U, 2U, 4U}) expect_exact_classes(random_scene(seed), 1);
 }
 
-/// Under intervals and culling, where the nearest sphere is often one behind others.
+/// With intervals and culling, the nearest sphere is often behind others.
 TEST(Visibility, FollowsTheRootsThatCount) {
   int differing = 0;
   for (const scene::ValidRoots& valid : {scene::ValidRoots{4, kInfinity, {}, {}, {}},

@@ -57,7 +57,7 @@ TEST(ReadDriverFile, ReadsSpheresInOrder) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST(ReadDriverFile, ListsWhatOnlyShadingNeeds) {
+TEST(ReadDriverFile, ListsEntriesThatOnlyShadingNeeds) {
   const std::string sphere = "sphere 0 0 -9 1";
   std::string text = kB + "ambient .1 .1 .1\nlight 1 1 1\nrecursionLevel 3\nlight 2 2 2\n" +
                      "model 0 1 0 45 2 0 0 0 cube.obj\nrecursionlevel 2\n";
@@ -75,7 +75,7 @@ TEST(ReadDriverFile, ListsWhatOnlyShadingNeeds) {
   EXPECT_TRUE(read(kB + sphere + "\n").not_needed.empty());
 }
 
-TEST(ReadDriverFile, WarnsOnceOfEachOddity) {
+TEST(ReadDriverFile, WarnsOnceAboutEachOddity) {
   std::string text = replaced(kB, "d -2", "d -2 7") + "fog 1 1 1\nfog 2 2 2\nAmbient .1 .1 .1\n";
   for (int i = 0; i < 10; ++i) text += "sphere 0 0 -9 1 .1 .1 .1 red\n";
   const std::vector<std::string> warnings = read(text).warnings;
@@ -105,11 +105,16 @@ TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
 }
 
 TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
-  constexpr const char* kNoSign = ": must be above zero (dialect A) or below (B and C)";
+  constexpr const char* kNoSign = ": must be above 0 (dialect A) or below 0 (dialects B and C)";
   const std::pair<std::string, std::string> errors[] = {
       {replaced(kA, "d 2\n", ""),
-       "f.txt:1: d: is missing; it places the image plane, and its sign tells dialect A (d > 0) "
-       "from dialect B (d < 0)"},
+       "f.txt:1: d: is missing; it places the image plane, and its sign distinguishes dialect A "
+       "(d > 0) from dialect B (d < 0)"},
+      {replaced(kA, "d 2", "D 2"),
+       "f.txt:4: D: unknown keyword; d is missing; it places the image plane, and its sign "
+       "distinguishes dialect A (d > 0) from dialect B (d < 0)"},
+      {replaced(kA, "up 0", "upp 0"), "f.txt:3: upp: unknown keyword; up is missing"},
+      {"fog 1\n" + replaced(kA, "res 16 9\n", ""), "f.txt:1: fog: unknown keyword; res is missing"},
       {replaced(kA, "d 2", "d -0"), "f.txt:4: d = -0" + std::string(kNoSign)},
       {replaced(kA, "d 2", "d nan"), "f.txt:4: d = nan" + std::string(kNoSign)},
       {replaced(kC, "-2", "2"), "f.txt:1: d = 2: dialect C needs d < 0"},
@@ -122,7 +127,7 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
       {replaced(kA, "eye 0 0 4", "eye 0 \x01 4"), "f.txt:1: eye[1] = \\x01: is not a number"},
       {kA + "sphere 1 2 3\n", "f.txt:7: sphere = 1 2 3: needs 4 numbers, has 3"},
       {kA + "sphere 1 2 3 r\n", "f.txt:7: sphere[3] = r: is not a number"},
-      {replaced(kA, "d 2", "d"), "f.txt:4: d = : needs 1 numbers, has 0"},
+      {replaced(kA, "d 2", "d"), "f.txt:4: d = : needs 1 number, has 0"},
       {replaced(kC, " -2", ""), "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9"},
       {replaced(kA, "res 16 9", "res 16.0 9"),
        "f.txt:6: res[0] = 16.0: is not a whole number of pixels"}};
@@ -130,14 +135,16 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
 }
 
 TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
-  EXPECT_EQ(error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
-            "f.txt:5: bounds = -1 -1 1 1: has no area in dialect B's order (left right bottom "
-            "top), but has one in dialect A's (left bottom right top): reorder the numbers; "
-            "dialect A needs d > 0");
-  EXPECT_EQ(error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
-            "f.txt:5: bounds = -1 1 -1 1: has no area in dialect A's order (left bottom right "
-            "top), but has one in dialect B's (left right bottom top): reorder the numbers; "
-            "dialect B needs d < 0");
+  EXPECT_EQ(
+      error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
+      "f.txt:5: bounds = -1 -1 1 1: have no area in the order of dialect B (left right bottom "
+      "top), but have one in that of dialect A (left bottom right top): reorder the numbers; "
+      "dialect A needs d > 0");
+  EXPECT_EQ(
+      error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
+      "f.txt:5: bounds = -1 1 -1 1: have no area in the order of dialect A (left bottom right "
+      "top), but have one in that of dialect B (left right bottom top): reorder the numbers; "
+      "dialect B needs d < 0");
   EXPECT_EQ(error_of(kView + "d 2\nbounds 1 1 1 1\nres 2 2\n"),
             "f.txt:5: camera.right = 1: equals left, so the image has no width\n"
             "f.txt:5: camera.top = 1: equals bottom, so the image has no height");
@@ -152,13 +159,14 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
     EXPECT_EQ(error_of(text).substr(0, 9 + std::string(keyword).size() + 12),
               std::string("f.txt:1: ") + keyword + ": is missing");
   }
-  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
+  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")),
+            "f.txt:2: bound: unknown keyword; bounds is missing");
 }
 
 TEST(ReadDriverFile, RefusesOtherKindsOfFiles) {
   const std::string kOther = ": not a driver file; the name of a TOML file must end in .toml";
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nres 2 2\n"),
-            "f.txt:1: eye: is missing");
+            "f.txt:1: b: unknown keyword; eye is missing");
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nresolution 2 2\n"),
             "f.txt:1: first words = b, v, from" + kOther);
   EXPECT_EQ(error_of("\x7f"
@@ -180,7 +188,7 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "f.txt:1: camera.up = [0, 0, 5]: is exactly parallel to eye - look_at");
 }
 
-// A reader that takes quadratic time would not finish here.
+// A reader that needs quadratic time would not finish this test.
 TEST(HostileDriverFile, of_a_million_spheres_is_read) {
   constexpr std::size_t kSpheres = 1000000;
   std::string text = "eye 0 0 10\nlook 0 0 0\nup 0 1 0\nd -5\nbounds -1 1 -1 1\nres 4 4\n";
@@ -244,7 +252,7 @@ TEST_F(HostileFile, of_more_than_the_limit_is_refused) {
   fs::resize_file(file, 101);
   const std::string why = ": cannot be read: it has more than 100 bytes, which is the limit";
   EXPECT_EQ(refusal(file), file.string() + why);
-  fs::resize_file(file, std::uintmax_t{1} << 40);  // without taking room
+  fs::resize_file(file, std::uintmax_t{1} << 40);  // a sparse file, which needs no disk space
   EXPECT_EQ(
       thrown_by<SceneFileError>([&] { load_scene(file); }),
       file.string() + ": cannot be read: it has more than 268435456 bytes, which is the limit");
@@ -294,7 +302,7 @@ TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
     EXPECT_EQ(read_toml(write_toml(scene), "again").scene, scene);
     ++scenes;
     if (!scene.camera || entry.path().stem() == "sphere-behind-eye") continue;
-    // From the eye, so that hits in front of the image plane count.
+    // Rays start at the eye, so that hits in front of the image plane count.
     Conventions conventions = scene.conventions;
     conventions.origin = Origin::kFocal;
     const auto spheres = plan_scene(scene, conventions, Wanted::kNearest).spheres;

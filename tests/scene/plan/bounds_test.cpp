@@ -13,7 +13,7 @@ using Rational = boost::multiprecision::mpq_rational;
 
 constexpr int kTries = 20000;
 
-/// Doubles of all magnitudes, the ends of the range, whole numbers and 0 among them.
+/// Doubles of all magnitudes, also the ends of the range, whole numbers and 0.
 class Doubles {
  public:
   double any() {
@@ -26,7 +26,7 @@ class Doubles {
       if (std::isfinite(x)) return x;
     }
   }
-  /// A double, a few ulps around one, or two that lie apart.
+  /// Bounds that are a double, a few ulps around a double, or two doubles far apart.
   Bounds bounds() {
     const double x = any();
     const auto kind = engine_() % 3;
@@ -54,8 +54,8 @@ void expect_holds(const Bounds& bounds, const Rational& exact) {
   ASSERT_TRUE(bounds.high == kInfinity || exact <= Rational(bounds.high));
 }
 
-/// The promise of width: no end more than kBoundsMaxUlp beyond the outermost exact value, where
-/// that is neither tiny nor too large to have a double next to it.
+/// Checks the width: no end is more than kBoundsMaxUlp beyond the outermost exact value, unless
+/// this value is tiny, or too large to have a double next to it.
 void expect_tight(const Bounds& bounds, const Rational& least, const Rational& most) {
   const auto is_ordinary = [](const Rational& x) {
     const Rational size = abs(x);
@@ -73,7 +73,7 @@ void expect_tight(const Bounds& bounds, const Rational& least, const Rational& m
   }
 }
 
-/// Both ends of the operands, and a number between.
+/// Tests the operation with both ends of the operands and a number between them.
 template <class Operation>
 void expect_binary(Operation operation, bool divides = false) {
   Doubles doubles;

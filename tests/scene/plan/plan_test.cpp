@@ -1,4 +1,4 @@
-// Plans worked by hand, and the sizes of rectangles.
+// Compares plans with plans by hand, and tests the sizes of rectangles.
 
 #include "scene/plan/plan.h"
 
@@ -9,7 +9,8 @@ namespace {
 
 constexpr PixelRectangle kImage = {0, 17, 0, 17};
 
-/// At the origin, looking along -Z: W = Z, U = X, V = Y. alpha(i) = i/2 - 4, beta(j) = j/2 - 4.
+/// A camera at the origin that looks along -Z: W = Z, U = X, V = Y. alpha(i) = i/2 - 4, beta(j) =
+/// j/2 - 4.
 Camera plain_camera() { return {{}, {0, 0, -1}, {0, 1, 0}, -1, {}, -4, 4, -4, 4, 17, 17}; }
 
 Scene scene_of(std::vector<Sphere> spheres, const Camera& camera = plain_camera()) {
@@ -19,7 +20,7 @@ Scene scene_of(std::vector<Sphere> spheres, const Camera& camera = plain_camera(
   return scene;
 }
 
-/// x along U, y along V, z the way the camera looks.
+/// A sphere at x along U, y along V, z along -W.
 Sphere ahead(double x, double y, double z, double radius) { return {{x, y, -z}, radius}; }
 
 ScenePlan plan_of(const Scene& scene, const PlanItems& items = {}) {
@@ -36,7 +37,7 @@ SpherePlan plan_of(const Sphere& sphere, const Camera& camera = plain_camera(),
 const Sphere kTouchingTheAxis = ahead(3, 0, 4, 3);
 const Sphere kAboveTheAxis = ahead(0, 3, 4, 3);
 
-/// plain_camera() but for the place of its image plane, or bounds, or size.
+/// plain_camera() with another image plane, other bounds or another size.
 Camera plain_but(const std::function<void(Camera&)>& change) {
   Camera camera = plain_camera();
   change(camera);
@@ -48,7 +49,7 @@ const Camera kOnePixel = plain_but([](Camera& c) { c.width = c.height = 1; });
 const Conventions kFocal{.origin = Origin::kFocal};
 const Conventions kCentres{.samples = Samples::kCentres};
 
-TEST(Rectangle, IsThatOfTheSilhouette) {
+TEST(Rectangle, FitsTheSilhouette) {
   struct Row {
     const char* what;
     Sphere sphere;
@@ -95,7 +96,7 @@ TEST(Plan, BoundsTheDistancesOfSpheres) {
   }
 }
 
-TEST(Plan, LeavesOutWhatIsOutsideTheViewOrBehindTheOrigins) {
+TEST(Plan, LeavesOutSpheresOutsideTheViewOrBehindTheOrigins) {
   struct Row {
     const char* what;
     Sphere sphere;
@@ -122,7 +123,7 @@ TEST(Plan, LeavesOutWhatIsOutsideTheViewOrBehindTheOrigins) {
   }
 }
 
-TEST(Plan, WantsTheFarRootOnlyWhereAnOriginMayBeInside) {
+TEST(Plan, NeedsTheFarRootOnlyIfAnOriginMayBeInside) {
   struct Row {
     const char* what;
     Sphere sphere;
@@ -146,7 +147,7 @@ TEST(Plan, WantsTheFarRootOnlyWhereAnOriginMayBeInside) {
   }
 }
 
-TEST(Plan, LeavesOutWhatANearerSphereHides) {
+TEST(Plan, LeavesOutSpheresHiddenByANearerOne) {
   const Sphere big = ahead(0, 0, 10, 3), small = ahead(0, 0, 20, 1);
   const ScenePlan plan = plan_of(scene_of({small, big}));
   EXPECT_EQ(plan.spheres[0].left_out, LeftOut::kHidden);
@@ -158,10 +159,10 @@ TEST(Plan, LeavesOutWhatANearerSphereHides) {
   }
 }
 
-TEST(Plan, LeavesOutWhatIsInsideASphereThatIsEnteredFirst) {
+TEST(Plan, LeavesOutSpheresInsideOneThatIsEnteredFirst) {
   const Sphere big = ahead(0, 0, 10, 3), inside = ahead(1, 0.5, 9, 1);
   EXPECT_EQ(plan_of(scene_of({inside, big})).spheres[0].hidden_by, 1u);
-  // From inside both, the inner one is met first.
+  // From inside both spheres, the inner one is met first.
   const Sphere around = ahead(0, 0, 0, 9), inner = ahead(0, 0, 0, 6);
   EXPECT_FALSE(plan_of(scene_of({inner, around})).spheres[0].left_out);
 }
@@ -227,7 +228,7 @@ TEST(Plan, RefusesGivenRays) {
   EXPECT_THROW(plan_of(scene), std::invalid_argument);
 }
 
-/// The number of sides of rectangles compared, and of those that lie where exact ones would.
+/// The number of compared sides of rectangles, and of sides that are equal to the exact ones.
 struct Tightness {
   int sides = 0, exact = 0;
 
@@ -237,9 +238,9 @@ struct Tightness {
     EXPECT_LE(got, where);
     EXPECT_GE(got, where - kRectangleSlack);
   }
-  /// One way across: in the indices of pixels, as real numbers, each side of a silhouette's box
-  /// lies x; a rectangle then begins at ceil(x) and ends after floor(x), or up to kRectangleSlack
-  /// farther out where x is so near to a whole number that its bounds hold that.
+  /// Compares two opposite sides. A side of a silhouette's box lies at a real number x, in indices
+  /// of pixels. The rectangle begins at ceil(x), or ends after floor(x). If x is so near to a whole
+  /// number that its bounds contain it, the side may be up to kRectangleSlack farther out.
   void compare(long double x, long double z, long double r, long double near, long double first,
                long double last, std::int64_t count, std::int64_t begin, std::int64_t end) {
     const long double middle = std::atan2(x, z), half = std::asin(r / std::hypot(x, z));
@@ -254,7 +255,7 @@ struct Tightness {
   }
 };
 
-TEST(Rectangle, IsNoLargerThanTheSilhouettesBoxCallsFor) {
+TEST(Rectangle, IsNoLargerThanTheSilhouettesBoxRequires) {
   std::mt19937_64 engine(1);
   const auto between = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;

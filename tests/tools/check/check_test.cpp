@@ -34,6 +34,18 @@ TEST(Check, judges_the_chosen_candidates) {
   printed_json("check scene/examples/ten-spheres.toml --max-ulp 0.001", 1);
 }
 
+/// Rays are judged by 512: the last ones hit nothing, which leaves out no law.
+TEST(Check, leaves_out_laws_of_hits_only_if_no_ray_hits) {
+  const std::string ahead = ray_text("0, 0, 0", "1, 0, 0"),
+                    behind = ray_text("0, 0, 0", "-1, 0, 0");
+  const auto left_out = [&](const std::string& rays) {
+    const std::string path = temporary_file("hits.toml", rays + sphere_text("5, 0, 0", "1"));
+    return run("check " + path + " --format json").out;
+  };
+  EXPECT_FALSE(has(left_out(repeated(ahead, 512) + repeated(behind, 512)), "no ray hits a sphere"));
+  EXPECT_TRUE(has(left_out(behind), "no ray hits a sphere"));
+}
+
 TEST(Check, report_does_not_depend_on_the_number_of_threads) {
   const std::string path =
       temporary_file("threads.toml", far_sphere_scene(90, 70) + sphere_text("0, 0, -2e8", "2e5"));

@@ -12,8 +12,8 @@ TEST(Explain, shows_the_conditioning_of_each_step) {
   const json report = explained("--ray -5,0.5,0,1,0,0 --sphere 0,0,0,1");
   const json& step = found(report["exact"]["steps"], "symbol", "s");
   ASSERT_FALSE(step.is_null());
-  // By implicit differentiation of |L + s d - C|^2 = r^2: with q = L + s d - C = (-sqrt(3)/2,
-  // 1/2) and s = 5 - sqrt(3)/2 it is (|q_x| (5 + s) + |q_y| / 2 + 1) / (s |q_x|).
+  // kappa by implicit differentiation of |L + s d - C|^2 = r^2. With q = L + s d - C = (-sqrt(3)/2,
+  // 1/2) and s = 5 - sqrt(3)/2, it is (|q_x| (5 + s) + |q_y| / 2 + 1) / (s |q_x|).
   const double x = std::sqrt(0.75), s = 5 - x;
   EXPECT_NEAR(step["condition"].get<double>(), (x * (5 + s) + 0.25 + 1) / (s * x), 5e-3);
   EXPECT_GT(step["condition_alone"].get<double>(), 1);
@@ -25,7 +25,7 @@ TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
   EXPECT_EQ(number(horizon["exact"]["s"]), 4654.1799293292679);
   const json far = printed_json("explain --ray -1e9,0.5,0,1,0,0 --sphere 0,0,0,1", 1);
   const json floats = explained("scene/examples/far-sphere.toml --pixel 2,1");
-  // At an exact tangent s has no condition number: what it may be off by is its backward error.
+  // At an exact tangent, s has no condition number; its error is measured by the backward error.
   const json tangent =
       printed_json("explain --ray 0,0,0,1,2,2 --sphere 41941071,83879142,83876142,3000", 1);
   const auto expect = [](const json& report, const char* name, const json& step,
@@ -43,14 +43,15 @@ TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
   expect(far, "quadratic", "d^2", "defect");
   expect(tangent, "quadratic", "d^2", "defect");
   expect(tangent, "lecture", nullptr, nullptr);
-  // L + s D cancels: Q of cross is off by 4e8 u, but s is right, so that nothing goes wrong.
+  // L + s D cancels, so Q of cross is off by 4e8 u. But s is right, so nothing goes wrong.
   expect(far, "cross", nullptr, nullptr);
-  // 10^8 radii away is outside the judged domain of floats, hence not a defect.
+  // In floats, 10^8 radii away is outside the judged domain, so this is not a defect.
   expect(floats, "single-quadratic", "v", "not judged");
   expect(floats, "quadratic", "d^2", "defect");
 }
 
-/// Rays to the unit sphere from all distances, past its edge and through it, in any direction.
+/// Rays from all distances, in all directions, that pass the unit sphere near its edge or go
+/// through it.
 std::vector<scene::Ray> rays_from_everywhere(std::size_t count) {
   std::mt19937_64 generator(1);
   const auto uniform = [&](double from, double to) {

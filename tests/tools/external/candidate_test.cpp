@@ -33,7 +33,7 @@ TEST(Candidate, is_judged_if_raycheck_is_in_a_folder_that_other_users_may_not_en
     fs::copy_file(programs / name, closed / "build/tools" / name);
   }
   fs::permissions(closed, fs::perms::owner_all);
-  // Beside that folder, so that the compiler can read the folder around both.
+  // The file is beside that folder, so that the compiler can read the folder that contains both.
   const std::string candidate = temporary_file("floats.cpp", contents(kFloats));
   const Outcome outcome = run_bash("cd '" RAYCHECK_SOURCE_DIR "' && exec '" + closed.string() +
                                    "/build/tools/raycheck' check scene/examples/optical-axis.toml "
@@ -53,7 +53,7 @@ TEST(Candidate, without_rays_receives_them_and_the_report_says_so) {
   EXPECT_FALSE(judged(kCamera, "command:python3 tests/candidates/right.py")["given_rays"]);
   EXPECT_FALSE(judged(kRays, meets)["given_rays"]);
   expect_parts(run("check " + kCamera + " --candidate '" + meets + "'").out,
-               {"makes no rays from this origin: was given raycheck's rays"});
+               {"has no pixel_ray(): is given raycheck's rays"});
 }
 
 TEST(Candidate, that_is_wrong_on_given_rays_has_pixels_and_explanations_in_its_report) {
@@ -78,7 +78,7 @@ TEST(Candidate, without_rays_is_judged_by_laws_on_cameras_too) {
   };
   EXPECT_EQ(campaign("none", 0)["given_rays"], 40);
   const json wrong = campaign("far-root", 1);
-  // Shrunk, the case has a single ray of those that it received, in short numbers.
+  // After shrinking, the case has one of the rays that the candidate received, in short numbers.
   const std::string shrunk = wrong["scene"];
   EXPECT_FALSE(has(shrunk, "[camera]"));
   EXPECT_EQ(shrunk.find("[[ray]]"), shrunk.rfind("[[ray]]"));
@@ -89,10 +89,10 @@ TEST(Candidate, without_rays_is_judged_by_laws_on_cameras_too) {
 
 TEST(Candidate, keeps_every_law_on_ordinary_cases) {
   expect_parts(run("properties --cases 300 --candidate " + right_library(), 0).out,
-               {"documents no bounds: judged by those of direct/cross"});
+               {"states no error bounds, so those of direct/cross apply"});
 }
 
-/// The laws' report on right.cpp with `from` replaced by `to`.
+/// The report of `properties` on right.cpp with `from` replaced by `to`.
 auto altered(const std::string& from, const std::string& to) {
   const std::string source =
       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), from, to);
@@ -176,7 +176,8 @@ TEST(Candidate, can_read_folders_and_headers_given_by_options) {
     if (is_in_bubblewrap()) {
       const Outcome hidden = run(words);
       EXPECT_EQ(hidden.exit_code, 2) << candidate << hidden.out;
-      expect_parts(hidden.err, {"--read DIR adds a folder, and --include DIR a folder of headers"});
+      expect_parts(hidden.err,
+                   {"add a folder by --read DIR, or a folder of headers by --include DIR"});
     }
   }
   run("check " + kRays + " --candidate 'source:" + source + "' --include /no/such", 2);
@@ -197,6 +198,23 @@ TEST(Candidate, in_JavaScript_can_implement_all_functions) {
 /// The error message for a candidate that cannot be run.
 std::string refusal_of(const std::string& candidate, const std::string& more = "") {
   return run("check " + kRays + " --candidate '" + candidate + "' " + more, 2).err;
+}
+
+TEST(Candidate, in_Python_reports_its_errors_with_their_lines) {
+  const auto candidate = [](const std::string& lines) {
+    return "command:python3 " +
+           temporary_file("mistaken.py", "import raycheck_candidate as rc\n" + lines);
+  };
+  const json report = judged(kRays, candidate("def intersect(ray, sphere, conventions):\n"
+                                              "    return 1 / 0\n"
+                                              "rc.run('mine', intersect=intersect)\n"));
+  expect_parts(
+      report["worst"].dump(),
+      {"intersect: it failed: ZeroDivisionError: division by zero (", "mistaken.py, line 3)"});
+  expect_parts(refusal_of(candidate("rc.run('mine', interset=None)\n")),
+               {"no such function: interset; the functions are frame, pixel_point"});
+  expect_parts(refusal_of(candidate("print('hello')\nrc.run('mine', nearest=print)\n")),
+               {"its first line is 'hello', not 'raycheck 1 NAME'"});
 }
 
 TEST(Candidate, in_JavaScript_reports_its_errors) {
@@ -225,7 +243,7 @@ TEST(Candidate, in_JavaScript_reports_its_errors) {
         candidate(std::string("run('it', { returns: 'class', intersect: () => ") + hit + " })"));
     expect_parts(report["worst"].dump(), {"neither true nor false"});
   }
-  // Address space that is reserved but not used.
+  // The program reserves address space, but does not use it.
   const std::string wasm = candidate(
       "new WebAssembly.Memory({ initial: 1, maximum: 65536 });\nrun('it', { intersect: () => null "
       "})");
@@ -243,7 +261,7 @@ TEST(Candidate, is_reported_with_the_limit_that_it_met_and_its_last_message) {
   const std::string thread = says(
       "Exception in thread main java.lang.OutOfMemoryError: unable to create native thread: "
       "possibly out of memory\\n\\tat Mine.main(Mine.java:3)");
-  expect_parts(thread, {"it said: Exception in thread main",
+  expect_parts(thread, {"it printed: Exception in thread main",
                         "it may have at most 64 processes and threads"});
   EXPECT_FALSE(has(thread, "MiB of memory"));
   expect_parts(says("MemoryError"), {"at most 4096 MiB of memory (--memory)"});
@@ -267,17 +285,17 @@ TEST(Candidate, may_be_in_a_folder_that_other_users_may_not_read) {
     fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/" + name, folder + "/" + name);
   }
   fs::permissions(folder, fs::perms::owner_all);
-  // A named file is readable for the candidate, even if other users may not read it.
+  // The candidate can read a named file even if other users may not.
   fs::permissions(folder + "/float_quadratic.cpp", fs::perms::owner_read);
   expect_right(kRays, "command:python3 " + folder + "/right.py");
   expect_right(kRays, "source:" + folder + "/float_quadratic.cpp");
-  // It still does not run as root if raycheck does.
+  // If raycheck runs as root, the candidate does not.
   const json open = judged(kRays, "command:python3 tests/candidates/right.py");
   EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["isolated_by"],
             open["isolated_by"]);
 }
 
-/// A way of tests/candidates/hostile.py, and the report of `check`.
+/// A way in which tests/candidates/hostile.py fails, and the report of `check`.
 struct Hostile {
   const char* how;
   const char* what;   ///< Part of the report.
@@ -293,7 +311,7 @@ TEST_P(EachHostile, GainsNothing) {
       temporary_file("one.toml", ray_text("0, 0, 0", "0, 0, 1") + sphere_text("9, 0, 5", "2"));
   const std::string secret = temporary_file(std::string(how) + ".secret", "the expected answers");
   ASSERT_EQ(chmod(secret.c_str(), 0600), 0);
-  // A short limit for those that never end.
+  // Candidates that never end get a short limit.
   const bool is_endless = has(what, "1 s");
   const json report =
       judged(one_question,

@@ -1,5 +1,5 @@
 // Candidates that require unit directions, intersect lines, have ends in scene lengths, or return
-// less than s and Q: each is judged by its declarations.
+// less than s and Q are judged by their declarations.
 
 #include "properties/candidate.h"
 #include "properties/case.h"
@@ -49,7 +49,7 @@ TEST(Contracts, that_return_something_else_than_declared_are_broken) {
   EXPECT_EQ(finding(laws_of(plain, "--filter parameter", 1), "parameter"), "broken");
 }
 
-/// Such code takes s for a length, which is right only for unit directions.
+/// This code takes s for a length, which is right only for unit directions.
 TEST(Contracts, that_require_unit_directions_receive_no_others) {
   const std::string says = "returns='parameter', directions='unit'";
   const std::string unit = tracer("unit.py", "s >= 0 and abs(length - 1) < 1e-15", "s", says);
@@ -62,10 +62,10 @@ TEST(Contracts, that_require_unit_directions_receive_no_others) {
   const json report = judged(scene, unit);
   expect_values(report, {{"made_unit", 1}, {"discrepancies", 0}});
   expect_parts(run("check " + scene + " --candidate '" + unit + "'").out,
-               {"demands unit directions: 1 direction normalised"});
+               {"takes only unit directions: 1 direction normalised"});
 }
 
-/// The commonest epsilon.
+/// The most common epsilon.
 TEST(Contracts, may_have_ends_in_scene_lengths) {
   const std::string roots = "roots=rc.Roots('()', 1e-3, float('inf'), 'length', 'none')";
   const std::string epsilon = tracer("epsilon.py", "s * length > 1e-3", "(s, point)", roots);
@@ -98,7 +98,7 @@ TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
   expect_values(report, {{"discrepancies", 0}, {"precision", "single"}});
 }
 
-/// A class without s cannot be excluded by an end: nearby inputs decide.
+/// A hit class without s cannot be excluded by an end, so nearby inputs decide.
 TEST(Contracts, of_only_a_class_are_undecided_at_an_end) {
   const std::string scene =
       temporary_file("exit.toml", ray_text("0, 0, 0", "1, 0, 0") + ray_text("0, 0, 0", "0, 1, 0") +
@@ -111,12 +111,12 @@ TEST(Contracts, of_only_a_class_are_undecided_at_an_end) {
   EXPECT_EQ(report["discrepancies_by_standing"]["undecided"], 1);
   const std::string text = run("check " + scene + " --candidate '" + closed + "'").out;
   EXPECT_TRUE(text.find("got   a hit\n") != std::string::npos) << text;
-  // Its s is excluded by its declared interval.
+  // The declared interval excludes its s.
   EXPECT_EQ(check(scene, tracer("s.py", "s >= 1", "s", "returns='parameter', " + roots)).exit_code,
             1);
 }
 
-/// It misses tangents where only back faces count: there no witness is searched.
+/// It misses tangents although only back faces count. In that case no witness is searched for.
 TEST(Contracts, that_leave_a_law_undecided_show_the_case) {
   const std::string tracing =
       tracer("back.py", "s >= 0 and under > 0 and s == max(q / a, other)", "(s, point)",
@@ -133,7 +133,7 @@ TEST(Contracts, that_leave_a_law_undecided_show_the_case) {
   }
 }
 
-/// The first line is not praise if nothing was decided.
+/// If nothing was decided, the first line is not praise.
 TEST(Contracts, have_the_most_important_finding_first) {
   const auto first = [](const std::string& candidate, const std::string& more = "") {
     const std::string out =
@@ -144,7 +144,7 @@ TEST(Contracts, have_the_most_important_finding_first) {
                {"(mine): right on all ordinary cases"});
   expect_parts(first(tracer("no_hit.py", "False", "(s, point)", "lengths=(1e-300, 1e-299)")),
                {"nothing judged: no case lies within the lengths that it declares"});
-  // In C++, where shrinking is fast.
+  // The candidate is in C++, so that shrinking is fast.
   const auto in_cpp = [&](const std::string& name, const std::string& body) {
     return first(compiled(temporary_file(name + ".cpp", R"(#include <raycheck/candidate.hpp>
 #include <stdexcept>
@@ -163,7 +163,7 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::hit, .intersect = 
                {"gives no answers: ", "not yet"});
 }
 
-/// The textbook's difference, with required unit directions.
+/// The textbook's difference, in code that requires unit directions.
 TEST(Contracts, of_unit_directions_are_not_reported_as_a_mistake) {
   const std::string source = temporary_file("unit.cpp", R"(#include <cmath>
 #include <raycheck/candidate.hpp>
@@ -184,8 +184,8 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect
   const Outcome outcome =
       run("properties --level demanding --cases 300 --candidate " + compiled(source));
   EXPECT_EQ(outcome.exit_code, 1);
-  expect_parts(outcome.out, {"loses its digits from 10^"});
-  EXPECT_FALSE(has(outcome.out, "directions are taken for unit ones"));
+  expect_parts(outcome.out, {"loses its digits (here more than 10^"});
+  EXPECT_FALSE(has(outcome.out, "directions are taken for unit vectors"));
 }
 
 /// It is undecided whether a missed root within a rounding of the declared end counts.

@@ -1,11 +1,12 @@
-// The adapters of engines as candidates, judged by what they declare; target `engines` builds them.
+// The adapters of engines as candidates, judged by their declarations. The target `engines` builds
+// them.
 
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Hits are right on a plain scene, in the declared precision.
+/// Expects right hits on a plain scene, in the declared precision.
 void expect_judged(const std::string& library, const std::string& precision) {
   const json report = judged("scene/examples/ten-spheres.toml", "library:" + library);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 0) << report.dump(2);
@@ -26,14 +27,14 @@ std::vector<std::string> shown_below(const std::string& command) {
   return lines;
 }
 
-/// A line without the parts that differ by machine: the isolation, and the last bits of Embree,
-/// whose roots and reciprocals start from the processor's estimates.
+/// A line without the parts that differ between machines: the isolation, and the last bits of
+/// Embree, whose roots and reciprocals start from the processor's estimates.
 std::string on_any_machine(const std::string& line) {
   static const std::regex figures("isolated by: .*| +[0-9.]+ +[0-9.]+ +88  ulp of float  .*");
   return std::regex_replace(line, figures, "");
 }
 
-/// Runs a command of the page, beside a library of that name, and compares the output.
+/// Runs a command of the page in a folder with a library of this name, and compares the output.
 void expect_as_shown(const std::string& library, const std::string& name,
                      const std::string& command) {
   const fs::path folder = temporary_folder("engine");
@@ -49,7 +50,7 @@ void expect_as_shown(const std::string& library, const std::string& name,
   }
 }
 
-/// An engine's library, and in which precision it computes.
+/// An engine's library, and the precision in which it computes.
 struct Engine {
   const char *name, *precision;
   std::string library() const { return std::string(RAYCHECK_ENGINES "/") + name + ".so"; }

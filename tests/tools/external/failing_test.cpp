@@ -1,5 +1,5 @@
-// Candidates that fail on some questions: those are found, and the others judged; where in its
-// source one died, or threw, is a line, as data and in the sentence.
+// Candidates that fail on some questions: these questions are found, and the others are judged. The
+// line of the source where a candidate crashed or threw is reported, as data and in the message.
 
 #include <future>
 
@@ -16,7 +16,7 @@ std::string fails_by(const std::string& how) {
   return "command:python3 tests/candidates/fails.py " + how;
 }
 
-/// The discrepancies that blame so.
+/// The discrepancies with this blame.
 std::vector<json> blaming(const json& report, const std::string& blame) {
   std::vector<json> found;
   for (const json& one : report["worst"]) {
@@ -33,7 +33,7 @@ int cases(const json& report, const std::string& quantity) {
 TEST(FailingCandidate, is_reported_with_the_failing_question_for_every_kind_of_failure) {
   const json right = judged(kTenSpheres, fails_by("none none"));
   ASSERT_EQ(right["discrepancies"], 0);
-  // Who hangs is waited for beside the others.
+  // The candidate that hangs runs in parallel with the others.
   auto hangs = std::async(std::launch::async, [] {
     return judged(kTenSpheres, fails_by("hang one"), "--timeout 0.5");
   });
@@ -44,7 +44,7 @@ TEST(FailingCandidate, is_reported_with_the_failing_question_for_every_kind_of_f
     EXPECT_EQ(one["failed"]["blame"], "question") << how;
     EXPECT_EQ(one["pixel"], (json{11, 7})) << how;
     EXPECT_EQ(one["sphere"], 2) << how;
-    // The others are judged: every pair but that one, which meets.
+    // All other pairs are judged; the failing pair is a hit.
     EXPECT_EQ(cases(report, "class"), cases(right, "class") - 1) << how;
     EXPECT_EQ(cases(report, "parameter"), cases(right, "parameter") - 1) << how;
     EXPECT_EQ(cases(report, "direction"), cases(right, "direction")) << how;
@@ -77,7 +77,7 @@ TEST(FailingCandidate, is_searched_with_a_limit) {
   const std::vector<json> among = blaming(report, "among");
   EXPECT_EQ(among.size(), report["failures"]["not_sought"]);
   EXPECT_EQ(report["discrepancies"], properties::kMostFailuresSought + among.size());
-  // Every question about a ray that points down is blamed, once; all others are judged.
+  // Every question about a ray that points down is blamed once; all others are judged.
   int blamed = properties::kMostFailuresSought;
   for (const json& one : among) blamed += one["failed"]["questions"].get<int>();
   EXPECT_EQ(blamed, 1280);
@@ -151,7 +151,7 @@ void write(const std::string& path, const std::string& text) {
   fs::rename(temporary_file("part", text), path);
 }
 
-/// A scene of rays that hit nothing, whose origins have these x.
+/// A scene of rays that hit nothing; their origins have these x.
 std::string scene_of(int first, int last) {
   std::string text = sphere_text("1000, 1000, 1000", "1");
   for (int k = first; k <= last; ++k) {
@@ -172,8 +172,8 @@ const std::array kWays = {
     Way{"asserts", "it was killed by signal 6"},
     Way{"aborts", "it was killed by signal 6"},
     Way{"throws an int", "it was killed by signal 6"},
-    Way{"throws", "it says: it is?so"},
-    Way{"reads beyond a list", "it says: vector::_M_range_check"},
+    Way{"throws", "it failed: it is?so"},
+    Way{"reads beyond a list", "it failed: vector::_M_range_check"},
     Way{"uses up its stack", "it was killed by signal 11"},
     Way{"raises", "it was killed by signal 8"},
     Way{"sorts invalid memory", "it was killed by signal 11"},
@@ -188,7 +188,7 @@ TEST(FailingLine, is_reported_for_every_kind_of_crash) {
   const auto lines = named_lines();
   constexpr int kAtATime = 6;  // fewer than are searched for
   const int all = static_cast<int>(kWays.size());
-  int told = 0;
+  int reported = 0;
   for (int first = 0; first < all; first += kAtATime) {
     const std::string scene =
         temporary_file("deaths.toml", scene_of(first + 1, std::min(first + kAtATime, all)));
@@ -206,10 +206,10 @@ TEST(FailingLine, is_reported_for_every_kind_of_crash) {
       EXPECT_EQ(at["file"], file) << way.name;
       EXPECT_EQ(at["line"], line) << way.name;
       expect_parts(at["text"].get<std::string>(), {way.name});
-      ++told;
+      ++reported;
     }
   }
-  EXPECT_EQ(told, all);
+  EXPECT_EQ(reported, all);
 }
 
 TEST(FailingLine, is_reported_for_cmake_builds) {
@@ -237,7 +237,7 @@ TEST(FailingLine, is_missing_for_exits) {
   EXPECT_TRUE(report["worst"][0]["failed"]["at"].is_null());
 }
 
-/// Candidates whose line tables claim that they died elsewhere.
+/// Candidates whose line tables claim that they crashed elsewhere.
 TEST(HostileLines, AreAcceptedOnlyInTheCandidatesFolder) {
   const std::string folder = temporary_folder("claimed") + "/", own = folder + "own/";
   fs::create_directories(own);

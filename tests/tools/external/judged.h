@@ -4,7 +4,7 @@
 
 namespace raycheck::tests {
 
-/// As root --i-know is required.
+/// If the tests run as root, --i-know is required.
 inline const std::string kUnkept =
     std::string(" --sandbox none") + (geteuid() == 0 ? " --i-know" : "");
 
@@ -36,7 +36,7 @@ inline json report_of(const std::string& arguments, const std::string& candidate
   return json::parse(outcome.out, nullptr, false);
 }
 
-/// A renderer made of these lines of Python, after imports; `words` come before its file arguments.
+/// A renderer made of these lines of Python, after imports. `words` come before its file arguments.
 inline std::string python_renderer(const std::string& lines, const std::string& words = "") {
   static int count = 0;
   const std::string path =
@@ -45,8 +45,8 @@ inline std::string python_renderer(const std::string& lines, const std::string& 
   return "renderer:python3 " + path + " " + words + (words.empty() ? "" : " ") + "{scene} {image}";
 }
 
-/// A tracer in Python that computes both roots correctly, by the cross product. The first root for
-/// which `counts` is true is returned as `returns`; `says` are its declarations.
+/// A tracer in Python that computes both roots correctly, by the cross product. It returns the
+/// first root for which `counts` is true, in the form `returns`; `says` are its declarations.
 inline std::string tracer(const std::string& name, const std::string& counts,
                           const std::string& returns, const std::string& says) {
   return "command:python3 " + temporary_file(name, R"(import math, raycheck_candidate as rc

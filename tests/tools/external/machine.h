@@ -26,10 +26,11 @@ struct Machine {
 };
 inline void PrintTo(const Machine& machine, std::ostream* out) { *out << machine.name; }
 
-inline constexpr std::array<Machine, 4> kMachines = {{{"root", true, true},
-                                                      {"root_without_bubblewrap", true, false},
-                                                      {"nobody", false, true},
-                                                      {"nobody_without_bubblewrap", false, false}}};
+inline constexpr std::array<Machine, 4> kMachines = {
+    {{"root", true, true},
+     {"root_without_bubblewrap", true, false},
+     {"unprivileged", false, true},
+     {"unprivileged_without_bubblewrap", false, false}}};
 
 inline const auto kNameOfMachine = [](const auto& the_test) {
   return std::string(the_test.param.name);

@@ -23,6 +23,17 @@ TEST(OthersStress, are_judged_stage_by_stage) {
   }
 }
 
+TEST(OthersStress, that_fail_are_reported_with_the_first_failure) {
+  const std::string candidate = " --candidate '" + kFailing + "exit all'";
+  const std::string failed = " failed, first: intersect: it exited with 3\n";
+  expect_parts(run("stress --family distance --severity 0 --cases 10" + candidate, 1).out,
+               {" on distance (intersections): ", " answers" + failed});
+  expect_parts(run("tradeoff --family distance --cases 10" + candidate).out,
+               {" (intersections): ", " answers" + failed});
+  expect_parts(run("worst --cases 10 --steps 0 --family distance" + candidate, 1).out,
+               {"first: intersect: it exited with 3\n", "nothing was measured"});
+}
+
 TEST(OthersWorst, are_searched_by_the_stage_of_the_quantity) {
   const std::string few = "worst --cases 20 --steps 20 --family ";
   const json s = report_of(few + "distance", right_library(), 0);
@@ -54,7 +65,7 @@ TEST(OthersTradeoff, are_timed_only_in_process_and_otherwise_a_reason_is_given) 
 }
 
 TEST(OthersTradeoff, are_not_timed_if_they_answer_differently_or_fail) {
-  // The name of the program shows in which process it runs.
+  // The name of the program shows the process in which it runs.
   const std::string source = temporary_file("otherwise.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
@@ -83,7 +94,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
   expect_parts(note("source:" + failing), {"not timed: intersect: it exited with 3"});
 }
 
-/// Since version 3 of the header they follow the conventions.
+/// From version 3 of the header on, they follow the conventions.
 TEST(OthersTradeoff, receive_the_valid_roots_when_they_are_timed) {
   const std::string source = temporary_file("roots.cpp", R"(
 #include <raycheck/candidate.hpp>
@@ -95,9 +106,9 @@ static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions
 }
 RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
 )");
-  const json told = report_of("tradeoff --family distance --cases 20" + kUnkept, "source:" + source,
-                              0)["intersections"][0];
-  EXPECT_EQ(told["called_in_process"], true) << told["note"];
+  const json timed = report_of("tradeoff --family distance --cases 20" + kUnkept,
+                               "source:" + source, 0)["intersections"][0];
+  EXPECT_EQ(timed["called_in_process"], true) << timed["note"];
 }
 
 TEST(OthersExplain, are_shown_beside_the_exact_value_of_every_implemented_step) {

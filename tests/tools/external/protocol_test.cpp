@@ -38,7 +38,7 @@ TEST(Introduction, ThatIsInvalidIsRefusedWithItsLine) {
   std::vector<std::pair<std::string, std::string>> wrong = {
       {"", "introduce"},
       {"hello\n", "line 1"},
-      {"raycheck 2 mine\n", "another version"},
+      {"raycheck 2 mine\n", "has the version 2, not 1"},
       {mine + "function fly\n", "line 2"},
       {mine + "convention rows up\n", "not one of bottom-first"},
       {mine + "level easy\n", "not one of ordinary"},
@@ -73,7 +73,7 @@ TEST(Reply, ThatIsInvalidIsRefusedWithAReason) {
        {std::pair("0 0 1 2 3\n", "line 2 of its reply has too few words"),
         {"0 0 1 2 3 4 5\n", "too many words"},
         {"0 0 1 2 3 four\n", "not a number"},
-        {"2 0 1 2 3 4\n", "index 2, but there are only 2"},
+        {"2 0 1 2 3 4\n", "index 2, which must be below 2"},
         {"-1 0 1 2 3 4\n", "negative index"},
         {"0 0 1 2 3 4\n0 0 1 2 3 4\n", "two hits"}}) {
     const std::string said = thrown_by<ProtocolError>(
@@ -95,7 +95,7 @@ TEST(Reply, EndsOnlyWithItsOwnId) {
 }
 
 TEST(SpentTime, DoesNotDependOnEarlierSums) {
-  // With most of these a sum of doubles would grow by less than 3.
+  // With most of these, a sum of doubles would grow by less than 3.
   for (double before : {0.0, 0.007, 0.031, 0.111, 0.188, 1e6}) {
     SpentTime spent;
     spent.add(before);
@@ -146,7 +146,7 @@ TEST(SphereColours, WithWhiteAddedAreNotThoseOfOtherSpheres) {
       ASSERT_TRUE(is_own || k % kShown >= kPure) << count << ", " << k;
       others += is_own || *answer[k] == properties::kSomeSphere ? 0 : 1;
     }
-    // Among the pixels with white added.
+    // The number of wrong spheres among the pixels with white added.
     EXPECT_LE(others, count <= 12 ? 0 : count * kMixed / 10) << count;
   }
 }

@@ -15,7 +15,7 @@ TEST(Renderer, with_one_colour_is_reported_as_not_judged_by_sphere) {
   const json report = judged(kProbeScene, renderer("grey"));
   EXPECT_EQ(report["discrepancies"], 0);
   expect_parts(report["left_out"].dump(),
-               {"pixels whose colour is not that of a sphere: judged only as hit or miss"});
+               {"pixels whose colour is not that of a sphere are judged only as hit or miss"});
 }
 
 TEST(Renderer, is_right_on_every_scene_that_driver_files_can_express) {
@@ -41,23 +41,29 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
     expect_parts(report["worst"].dump(), {what});
   };
   expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
-  expect_said("no-picture", "it made no picture");
+  expect_said("no-picture", "it exited with 0, but did not write its picture, image.ppm");
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
   expect_said("half", "its PPM lacks a number, or ends too early");
   expect_said("crash", "exited with 1");
   expect_said("hang", "did not end, and used almost no CPU time for 1 s");
-  expect_said("link", "its picture {image} is not a file");
+  expect_said("link", "its picture image.ppm is not a file");
+  const Outcome none =
+      run("check " + kProbeScene + " --candidate '" + renderer("no-picture") + "'", 1);
+  expect_parts(none.out,
+               {"0 of 1040 rays judged\n", "; no single question that fails was found\n",
+                "no answer: image: it exited with 0, but did not write its picture, image.ppm",
+                ": a renderer is judged only by its pictures\n"});
 }
 
 TEST(Renderer, whose_format_cannot_express_a_scene_is_not_judged_on_it) {
-  const std::string unsaid = python_renderer("sys.exit(77)");
-  const Outcome outcome = check(kProbeScene, unsaid);
+  const std::string inexpressible = python_renderer("sys.exit(77)");
+  const Outcome outcome = check(kProbeScene, inexpressible);
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
   const json report = json::parse(outcome.out)["candidates"][0];
   EXPECT_EQ(report["discrepancies"], 0);
   expect_parts(report["left_out"].dump(), {"its input format cannot express the scene"});
-  const json campaign =
-      report_of("properties --filter image --source crowds --cases 3", unsaid, 4)["campaigns"][1];
+  const json campaign = report_of("properties --filter image --source crowds --cases 3",
+                                  inexpressible, 4)["campaigns"][1];
   EXPECT_EQ(campaign["left_out"], 3);
   EXPECT_EQ(campaign["reason_left_out"], "its input format cannot express the scene");
   // A picture counts, whatever the exit code.
@@ -107,7 +113,7 @@ done
   EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;
 }
 
-/// The right and wrong pixels of a few pictures, which are too few to break a law.
+/// The counts of right and wrong pixels in a few pictures, too few to break a law.
 json tally_of(const std::string& mistake, const std::string& more) {
   const json report = printed_json("properties --filter image --source crowds --cases 4 " + more +
                                    " --candidate '" + renderer(mistake) + "'");
@@ -125,7 +131,7 @@ TEST(Renderer, is_judged_with_the_given_ray_origin) {
 
 TEST(Renderer, is_tried_in_its_dialect_and_within_its_threshold) {
   tally_of("dialect-c", "--dialect C");
-  // Without the option these would be defects, as below.
+  // Without the option, these would be defects, as below.
   EXPECT_GT(tally_of("threshold", "--t-threshold 0.5")["wrong_by_standing"]["excused"], 0);
 }
 
@@ -138,7 +144,7 @@ TEST(Renderer, receives_driver_files_in_the_dialect_of_the_scene_by_default) {
 }
 
 TEST(Renderer, is_excused_for_hits_within_its_threshold) {
-  // It ignores hits below 0.5: those of the sphere that the image plane cuts.
+  // It ignores hits with s below 0.5: those of the sphere that the image plane cuts.
   EXPECT_FALSE(judged(kProbeScene, renderer("threshold"))["discrepancies"] == 0);
   const json report = judged(kProbeScene, renderer("threshold"), "--t-threshold 0.5");
   EXPECT_EQ(report["discrepancies"], report["discrepancies_by_standing"]["excused"]);

@@ -1,5 +1,5 @@
-// Candidates that declare single precision, of every kind, through the built program: their errors
-// count ulp and u of float, and their inputs are floats.
+// Candidates of every kind that declare single precision, through the built program: their errors
+// are in ulp and u of float, and their inputs are floats.
 
 #include "properties/case.h"
 #include "scene/files/scene_file.h"
@@ -18,7 +18,7 @@ const std::string& float_textbook() { return compiled("tests/candidates/float_qu
 TEST(SinglePrecision, passes_all_laws_with_careful_float_code) {
   const std::string said =
       run("properties --cases 300 --candidate source:tests/submissions/float_rays.cpp", 0).out;
-  EXPECT_FALSE(has(said, "0 comparisons, 100 left out"));
+  EXPECT_FALSE(has(said, "0 comparisons; 100 cases left out"));
 }
 
 TEST(SinglePrecision, judges_a_textbook_formula_in_ulp_of_float) {
@@ -27,14 +27,14 @@ TEST(SinglePrecision, judges_a_textbook_formula_in_ulp_of_float) {
   expect_values(
       campaign,
       {{"finding", "broken"}, {"precision", "single"}, {"quantities/0/unit", "ulp of float"}});
-  // Its class is right far from the limits of floats.
+  // Its hit class is right far from the limits of floats.
   report_of("properties --filter class --source rays", float_textbook(), 0);
 }
 
 TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats) {
   const std::string scene = temporary_file(
       "tenths.toml", ray_text("0, 0.1, 0", "1, 0, 0") + sphere_text("3, 0.1, 0.3", "0.7"));
-  // Beside a candidate in doubles each is judged on its own inputs.
+  // Together with a candidate in doubles, each candidate is judged on its own inputs.
   const json both = report_of("check " + scene + " --rays direct", float_tracer(), 0)["candidates"];
   ASSERT_EQ(both.size(), 2u);
   expect_values(both,
@@ -74,7 +74,7 @@ TEST(SinglePrecision, of_a_renderer_is_an_option) {
   EXPECT_GT(single["quantities"][0]["cases"], 1000);
 }
 
-/// The scene of a report is one of floats.
+/// Expects that all numbers of a report's scene are floats.
 void expect_floats(const std::string& toml) {
   const scene::Scene scene = scene::load_scene(temporary_file("found.toml", toml)).scene;
   EXPECT_TRUE(properties::is_of_format(scene, scene::Precision::kSingle)) << toml;
@@ -98,7 +98,7 @@ TEST(OwnUnits, AreUsedByStress) {
   EXPECT_EQ(s["unit"], "ulp of float");
   EXPECT_GT(s["max"], 88);
   EXPECT_LT(s["max"], 1e8);  // there are no more than 2^24 of them in s
-  // Its rays, too, of cameras rounded to floats.
+  // Its rays are judged, too, from cameras rounded to floats.
   const json rays = report_of("stress --family far-camera --severity 0..1 --cases 20",
                               float_tracer(), 0)["families"][0]["methods"];
   ASSERT_EQ(rays.size(), 2u);
@@ -215,7 +215,7 @@ TEST(OwnUnits, AreUsedByExplain) {
   EXPECT_LT(bad["ulp_error"], 1e8);
   expect_parts(run(near + " --candidate " + float_tracer()).out,
                {"4 numbers of the scene are not floats", " ulp of float\n"});
-  // With a camera: every step that it implements.
+  // With a camera, every step that it implements is shown.
   const json pixel = report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2",
                                float_tracer(), 0);
   for (const json& step : pixel["ray_methods"].back()["steps"]) {
@@ -235,13 +235,13 @@ TEST(OwnUnits, AreUsedByErrorPictures) {
   EXPECT_EQ(steps[steps.size() - 2]["pixels"], 0);  // up to 65536
   EXPECT_GT(steps[0]["pixels"].get<int>() + steps[1]["pixels"].get<int>(), 0);
   expect_parts(run(image + " --candidate " + float_tracer()).out, {"up to 0.5 ulp of float"});
-  // Without rays it receives raycheck's, rounded to floats.
+  // If it makes no rays, it receives raycheck's, rounded to floats.
   const json textbook = report_of(image, float_textbook(), 0)["error"];
   EXPECT_EQ(textbook["failed"]["pixels"], 0);
   EXPECT_EQ(textbook["steps"].back()["pixels"], 0);
 }
 
-/// A chart has one unit, so that floats have a separate chart.
+/// A chart has one unit, so floats have a separate chart.
 TEST(OwnUnits, HaveASeparateChart) {
   const auto expect_units = [](const tools::ViewDocument& document) {
     const auto chart = chart_json(document.chart.value());
@@ -273,7 +273,7 @@ TEST(OwnUnits, HaveASeparateChart) {
   tools::TradeoffReport report = run_tradeoff(tradeoff);
   report.intersections[1].batch = report.intersections[0].batch;  // not timed
   expect_units(tradeoff_document(report));
-  // Ranked in one unit: an ulp of float is 2^29 of double.
+  // They are ranked in one unit: an ulp of float is 2^29 ulp of double.
   const auto& costs = report.intersections;
   ASSERT_EQ(costs.size(), 2u);
   EXPECT_EQ(costs[1].badness()->second,

@@ -1,4 +1,5 @@
-// Candidates that declare or follow t_min, t_max and culling, and what an epsilon costs.
+// Candidates that declare or follow t_min, t_max and culling, and the hits that an epsilon
+// excludes.
 
 #include "tests/tools/external/judged.h"
 #include "tools/external/protocol/protocol.h"
@@ -6,13 +7,13 @@
 namespace raycheck::tests {
 namespace {
 
-/// A tracer of roots between ends: its own epsilon, or the scene's ends.
+/// A tracer whose roots lie between ends: its own epsilon, or the scene's ends.
 std::string with_ends(const std::string& name, const std::string& counts,
                       const std::string& roots) {
   return tracer(name, counts, "(s, point)", "tangent='hit', roots=" + roots);
 }
 
-/// Roots beyond that end, which is excluded.
+/// The condition for roots beyond this end, which is excluded.
 std::string beyond(const std::string& end) {
   return "rc.Roots('()', " + end + ", float('inf'), 'absolute', 'none')";
 }
@@ -20,7 +21,8 @@ std::string beyond(const std::string& end) {
 const std::string kThreeRays = ray_text("0, 0, 0", "1, 0, 0") + ray_text("1.75, 0, 0", "1, 0, 0") +
                                ray_text("3.75, 0, 0", "1, 0, 0") + sphere_text("3, 0, 0", "1");
 
-/// Undecided whether nearby inputs make that right: not a success, and with --strict a failure.
+/// Expects that it is undecided whether nearby inputs make the answer right: that is not a success,
+/// and with --strict a failure.
 void expect_off_at_the_ends(const std::string& scene, const std::string& candidate) {
   const Outcome outcome = check(scene, candidate);
   EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;
@@ -28,7 +30,7 @@ void expect_off_at_the_ends(const std::string& scene, const std::string& candida
   EXPECT_EQ(check(scene, candidate, "--strict").exit_code, 1);
 }
 
-/// If hardly any root counts by declaration, missing all is right, but shows nothing.
+/// If hardly any root counts by declaration, missing all of them is right, but proves nothing.
 TEST(ValidRoots, that_nothing_reaches_do_not_count_as_success) {
   const std::string candidate =
       with_ends("misses.py", "False", beyond("1e9") + ", lengths=(1e-3, 1e3)");
@@ -51,7 +53,7 @@ TEST(ValidRoots, that_are_declared_are_judged_and_their_cost_is_reported) {
   ASSERT_EQ(excluded["worst"].size(), 1u);
   expect_values(excluded["worst"][0], {{"ray", 2}, {"s", "0x1p-2"}});
   expect_parts(run("check " + scene + " --candidate '" + candidate + "'").out,
-               {"t in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
+               {"s in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
                 "root",
                 "excluded: ray 2, sphere 0 at s = 0.25"});
 }
@@ -70,9 +72,9 @@ TEST(ValidRoots, that_are_declared_but_not_followed_are_defects) {
   const std::string candidate = with_ends("none.py", "s >= 0", beyond("0.5"));
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 2) << report.dump(2);
-  // Without a declaration every root >= 0 counts.
-  const std::string silent = with_ends("silent.py", "s >= 0", "None");
-  expect_values(judged(scene, silent), {{"discrepancies", 0}, {"excluded", nullptr}});
+  // Without a declaration, every root >= 0 counts.
+  const std::string undeclared = with_ends("undeclared.py", "s >= 0", "None");
+  expect_values(judged(scene, undeclared), {{"discrepancies", 0}, {"excluded", nullptr}});
 }
 
 TEST(ValidRoots, of_a_scene_are_sent_to_candidates_that_follow_them) {
@@ -86,11 +88,11 @@ TEST(ValidRoots, of_a_scene_are_sent_to_candidates_that_follow_them) {
   const json report = judged(scene, right);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   expect_values(report, {{"conventions/t_unit", "radius"}, {"excluded/moved", 1}});
-  // < for <= misses hits that nearby inputs may miss.
+  // With < for <=, the candidate misses hits that nearby inputs may miss.
   const std::string off =
       with_ends("off.py", "unit * roots.t_min < s < unit * roots.t_max", "'as-asked'");
   expect_off_at_the_ends(scene, off);
-  // <= for < returns roots that the interval excludes.
+  // With <= for <, the candidate returns roots that the interval excludes.
   const std::string closed =
       with_ends("closed.py", "unit * roots.t_min <= s <= unit * roots.t_max", "'as-asked'");
   EXPECT_EQ(check(scene, closed).exit_code, 1);
@@ -124,7 +126,7 @@ TEST(ValidRoots, that_the_declared_interval_excludes_are_defects) {
   const std::string mutant = with_ends("at_end.py", "s >= 2", beyond("2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'", 1);
   expect_parts(outcome.out, {"root, ray 0, sphere 0: wrong root\n",
-                             "answers s = 2, which the interval (2, inf) excludes"});
+                             "the answer s = 2 lies outside the interval (2, inf)"});
 
   // 0.1f, which is twice its half: the near root is the end itself.
   const std::string floats = temporary_file("floats.toml", ray_text("0, 0, 0", "1, 0, 0") +
@@ -155,7 +157,7 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
       {{"class", "miss"}, {"left_out/0/why", "before t_min"}, {"left_out/0/s", "0x1p-2"}});
   const json& miss = report["methods"].back();
   expect_values(miss, {{"hit", false}, {"class_error", false}, {"goes_wrong_at", nullptr}});
-  // For raycheck's methods every root >= 0 counts.
+  // For raycheck's methods, every root >= 0 counts.
   EXPECT_EQ(report["exact"]["by_every_root"]["s"], "0x1p-2");
   for (const json& method : report["methods"]) {
     EXPECT_EQ(method["class_error"], false) << method["name"];

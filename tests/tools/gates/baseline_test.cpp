@@ -1,4 +1,5 @@
-// The ratchet: known discrepancies may stay, new ones fail, mended ones are reported.
+// Baselines: known discrepancies may stay, new ones fail, and those that no longer occur are
+// reported.
 
 #include "tools/gates/baseline.h"
 
@@ -57,7 +58,7 @@ TEST(Baseline, ErrorsNameTheLine) {
   }
 }
 
-/// The known, new and mended discrepancies of runs are tested by BaselineOfARun.
+/// BaselineOfARun tests the known, new and mended discrepancies of runs.
 TEST(Baseline, KeepsUnjudgedEntriesAndReportsOtherKindsAsNew) {
   const Identity a = identity("class"), b = identity("root");
   const Baseline baseline = updated({}, findings({a}, {}));
@@ -69,7 +70,7 @@ TEST(Baseline, KeepsUnjudgedEntriesAndReportsOtherKindsAsNew) {
   EXPECT_TRUE(compare(baseline, findings({identity("class", "class: false hit")}, {a})).fails());
 }
 
-/// Two branches that mend different laws, merged by git as it is installed.
+/// Merges two branches that fix different discrepancies by the installed git.
 TEST(Baseline, MergesByGitWhenTwoBranchesMendDifferentThings) {
   const Identity a = identity("class"), b = identity("root"), c = identity("hit-point");
   const Baseline before = updated({}, findings({a, b, c}, {}));
@@ -103,7 +104,7 @@ class BaselineOfARun : public testing::Test {
  protected:
   std::string known() const { return folder_ + "/known"; }
 
-  /// Asks the candidate, which ends in this way whatever it found.
+  /// Judges the candidate; the command must end in this way.
   Outcome gate(const std::string& ending, const std::string& options, int exit_code) const {
     std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp");
     text.resize(text.find("RAYCHECK_CANDIDATE("));
@@ -122,7 +123,7 @@ RAYCHECK_CANDIDATE(.name = "mine", .intersect = mine, .precision = Precision::si
                exit_code);
   }
 
-  /// The same of a scene.
+  /// Judges the candidate on a scene.
   Outcome check(const std::string& scene, const std::string& candidate, const std::string& options,
                 int exit_code) const {
     return run("check '" + scene + "' --candidate '" + candidate + "' --baseline " + known() + " " +
@@ -136,6 +137,18 @@ RAYCHECK_CANDIDATE(.name = "mine", .intersect = mine, .precision = Precision::si
 
   const std::string folder_ = temporary_folder("baseline");
 };
+
+TEST_F(BaselineOfARun, CallsACandidateWithoutANameByItsFile) {
+  const std::string source = write("never.cpp", R"(#include <raycheck/candidate.hpp>
+using namespace raycheck;
+static std::optional<Hit> never(const Ray&, const Sphere&, const Conventions&) { return {}; }
+RAYCHECK_CANDIDATE(.intersect = never)
+)");
+  run("properties --filter class --cases 60 --source rays --candidate source:" + source +
+          " --baseline " + known() + " --update-baseline",
+      0);
+  EXPECT_TRUE(has(contents(known()), "\nclass; rays; class: missed; ordinary; never.cpp\n"));
+}
 
 TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
   const std::string misses = "return {};", right = "return hit;";
@@ -152,11 +165,11 @@ TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
 
   const Outcome swapped = gate(hits, "", 1);
   EXPECT_TRUE(has(swapped.out,
-                  ": 0 known, 1 new, 0 mended\n  new: class on rays, ordinary, class: "
-                  "false hit"));
+                  ": 0 known, 1 new, 0 fixed\n  new: class on rays, ordinary (class: "
+                  "false hit), mine"));
 
   const Outcome mended = gate(right, "", 0);
-  EXPECT_TRUE(has(mended.out, ": 0 known, 0 new, 1 mended (--update-baseline)"));
+  EXPECT_TRUE(has(mended.out, ": 0 known, 0 new, 1 fixed (--update-baseline)"));
   gate(right, "--strict-baseline", 1);
   gate(right, "--update-baseline --strict-baseline", 0);
   EXPECT_EQ(contents(known()),
@@ -175,7 +188,7 @@ TEST_F(BaselineOfARun, IdentifiesCandidatesAndScenesHoweverTheyAreTyped) {
   for (const std::string folder : {".", RAYCHECK_SOURCE_DIR, "tests/.."}) {
     check(folder + "/" + scene, by_python + folder + "/tests/candidates/rt.py" + mirrored, "", 0);
   }
-  // Two candidates of one name are identified by their names as typed.
+  // Two candidates with the same name are identified as the user typed them.
   const std::string twice =
       renderer + "' --candidate '" + by_python + "./tests/candidates/rt.py" + mirrored;
   check(scene, twice, "", 1);

@@ -1,5 +1,5 @@
-// Formats of continuous integration (JUnit, Markdown, GitHub's commands, GitLab's code quality),
-// and the example files for pipelines: their commands run unchanged.
+// Formats for continuous integration (JUnit, Markdown, GitHub's commands, GitLab's code quality),
+// and the example files for pipelines, whose commands run unchanged.
 
 #include "tests/tools/program.h"
 #include "tools/gates/gate.h"
@@ -51,7 +51,8 @@ std::string read_by_python(const std::string& path) {
   return read.exit_code == 0 ? read.out : read.err;
 }
 
-/// Whether a file is valid by junit.xsd; true, with a message, without xmllint.
+/// Whether a file is valid by junit.xsd. If xmllint is not installed, prints a message and returns
+/// true.
 bool suits_schema(const std::string& path) {
   if (!is_installed("xmllint")) {
     std::printf("xmllint is not installed: the schema is not tried\n");
@@ -203,7 +204,7 @@ TEST(HostileLog, OfGitHubExecutesNoCommandsOfCandidates) {
   }
 }
 
-/// The raycheck commands of a file: lines that begin with it after removal of the file's markup.
+/// The raycheck commands in a file: lines that begin with "raycheck" after removal of the markup.
 std::vector<std::string> commands_of(const std::string& file) {
   static const std::regex command(" *(?:- |entry: |run: )*(raycheck prope.*)");
   std::vector<std::string> commands;

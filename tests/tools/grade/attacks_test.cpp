@@ -1,24 +1,25 @@
-// Submissions that cheat or fail: they earn no points and do not change other grades.
+// Submissions that cheat or fail get no points and do not change other grades.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// The points of right answers by `intersect`, the only function of the attacks, and of all items.
+/// The points for right answers by `intersect`, the only function of the attacks, and the points of
+/// all items.
 constexpr double kDeserved = 10, kPoints = 29;
 
 struct Attack {
   const char* name;
   double score;
-  const char* what;  ///< Part of the report; empty: its answers are right despite the attempt.
+  const char* what;  ///< Part of the report; empty if its answers are right despite the attempt.
 };
 
 const std::vector<Attack> kAttacks = {
     {"none", kDeserved, ""},
     {"exit_in_call", 0, "intersect: it exited with 0"},
     {"boasts", 0, "class, ray 0, sphere 0: false hit"},
-    {"forges_replies", 0, "it wrote more after its reply"},
+    {"forges_replies", 0, "its first line is &#39;{&quot;score&quot;: 100}&#39;"},
     {"hangs", 0, "gave no reply within"},
     {"crashes", 0, "intersect: it was killed by signal 11"},
     {"fork_bomb", 0, "gave no reply within"},
@@ -46,7 +47,7 @@ TEST_F(Attacks, earn_no_points_and_do_not_change_other_grades) {
   const std::string rubric = grading.short_rubric("reply_seconds = 2\n", all_items());
   std::vector<std::string> folders;
   for (const Attack& attack : kAttacks) {
-    // Two attack the compiler or linker.
+    // Two of them attack the compiler or linker.
     const std::string name = attack.name;
     folders.push_back(name == "compile_error" || name == "own_sqrt"
                           ? grading.submit(name, "hostile.cpp", "#define ATTACK " + name)
@@ -92,7 +93,7 @@ TEST_F(Attacks, cover_every_attack_of_the_hostile_submission) {
   EXPECT_EQ(std::count(text.begin(), text.end(), ',') + 1, std::ssize(kAttacks));
 }
 
-/// Lines before those of rays.py: they try to read, write and list files.
+/// Lines that come before those of rays.py, and try to read, write and list files.
 constexpr const char* kSpy = R"(import os
 def can(how, path):
     try:
@@ -117,7 +118,7 @@ TEST_F(Attacks, cannot_read_other_submissions_the_rubric_or_the_results) {
     return has(result["isolated_by"], "bubblewrap") ? result["score"].get<double>() : -1;
   };
   // The points that it would lose.
-  const double seen = score_of_spy("sees", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
+  const double seen = score_of_spy("reads", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
   if (seen < 0) GTEST_SKIP() << "no bubblewrap keeps submissions apart here";
   EXPECT_LT(seen, 10);
   for (const std::string& path :
@@ -134,7 +135,7 @@ TEST_F(Attacks, cannot_read_other_submissions_the_rubric_or_the_results) {
   EXPECT_EQ(score_of_spy("spies", condition), 10);
 }
 
-/// Draws with the program beside it, then turns all colours into one grey.
+/// A renderer that draws with the program beside it, and then turns all colours into one grey.
 constexpr const char* kGrey = R"(import subprocess, sys
 subprocess.run(['./first_sphere_wins', *sys.argv[1:]], check=True)
 head, pixels = open(sys.argv[2]).read().split('\n255\n')

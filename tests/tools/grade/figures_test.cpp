@@ -1,4 +1,4 @@
-// The figures of failing cases of functions: what a student's page shows and what it withholds.
+// The figures of failing cases of functions: what a student's page shows and withholds.
 
 #include "tests/tools/grade/grading.h"
 
@@ -73,11 +73,12 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// A mistake of tests/submissions/rays.cpp, and an item of the seventh lecture that fails by it.
+/// A mistake of tests/submissions/rays.cpp, and an item of the seventh lecture that fails because
+/// of it.
 struct FigureSubject {
   const char* mistake;
   const char* item;
-  bool is_a_step = true;  ///< The panel has a wrong step.
+  bool is_a_step = true;  ///< Whether the panel has a wrong step.
 };
 
 constexpr FigureSubject kFigureSubjects[] = {
@@ -87,7 +88,8 @@ constexpr FigureSubject kFigureSubjects[] = {
     {"no_test_for_t", "nearest root"},          {"near_root_only", "robustness"},
     {"normalize_discarded", "unit directions"}, {"first_sphere_wins", "nearest sphere", false}};
 
-/// A graded submission's page has a figure for each failing item, with the numbers of the text.
+/// Expects that a graded submission's page has a figure for each failing item, with the numbers of
+/// the text.
 void expect_figures(const Grading& grading, const FigureSubject& subject) {
   const std::string name = subject.mistake;
   SCOPED_TRACE(name);
@@ -179,7 +181,7 @@ Outcome graded_by(const Grading& grading, const std::string& items,
   return grading.grade(grading.short_rubric("tolerance = { ulp = 64 }\n", items), folders, out);
 }
 
-/// The only panel of a submission with this mistake, by a rubric of this item.
+/// The only panel of a submission with this mistake, graded by a rubric with this item.
 json only_panel(const Grading& grading, const std::string& item, const std::string& mistake) {
   graded_by(grading, item, {grading.submit_built("mine", "rays.cpp", mistake)});
   const json document = grading.figures("mine");
@@ -197,11 +199,11 @@ TEST_F(Figures, draw_a_hit_on_the_ray_that_the_submission_computed) {
   const json yours = step_of(panel, "Q", "yours");
   EXPECT_EQ(numbers_of(yours["said"]), digits_of_record(failing["answer"]["got"]));
   expect_parts(panel["text"],
-               {"(yours: for the ray that it makes itself)", "goes wrong at D (its own ray)"});
+               {"(yours: on the ray that it makes)", "goes wrong at D (of the ray that it makes)"});
 }
 
 TEST_F(Figures, apply_the_tolerance_of_the_item) {
-  // Directions in floats are within this item's tolerance; only the root of its hits is wrong.
+  // Directions in floats are within this item's tolerance; only the root of hits is wrong.
   const json panel = only_panel(grading,
                                 item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
                                         functions("nearest-root", "course-behind", 4)),
@@ -217,7 +219,8 @@ TEST_F(Figures, apply_the_tolerance_of_the_item) {
   EXPECT_FALSE(verdict_of(panel, "yours").is_null());
 }
 
-/// A submission whose s is too large by an unknown mistake, so that no item follows from another.
+/// A submission whose s is too large because of an unknown mistake, so that no item follows from
+/// another.
 std::string beside(const Grading& grading, const std::string& name) {
   const std::string end = "    return None if s < 0 else";
   const std::string text = replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"), end,
@@ -226,7 +229,7 @@ std::string beside(const Grading& grading, const std::string& name) {
 }
 
 TEST_F(Figures, do_not_reveal_by_their_size_whether_a_hidden_item_fails) {
-  // Neither the page, its size nor a link reveals whether a hidden item fails.
+  // Neither the page nor its size nor a link reveals whether a hidden item fails.
   const std::string visible =
       item_of("open", "points = 1", functions("parameter", "course", 4, kGivenRays));
   const std::string hidden = "visibility = \"hidden\"";

@@ -1,5 +1,5 @@
-// Only files of raycheck are replaced or removed, and nothing is written into submissions; and the
-// folder in which a submission's renderer runs.
+// Only files of raycheck are replaced or removed, and nothing is written into submissions. Tests
+// also the folder in which a submission's renderer runs.
 
 #include "tests/tools/grade/grading.h"
 
@@ -28,7 +28,7 @@ class HostileOut : public testing::Test {
     }
   }
 
-  /// The command exits with 2 and a reason, and changes no file.
+  /// Expects that the command exits with 2 and a reason, and changes no file.
   void refuses(const std::string& words, const std::string& why) {
     const auto before = files_below(grading_.path("."));
     const Outcome outcome = run(words, 2);
@@ -164,9 +164,9 @@ TEST_F(HostileOut, IsNamedOnceInTheError) {
   refuses("stress --family distance --certificates " + one + " --view " + same, twice);
 }
 
-/// A hand-in, and what its renderer does before it writes to a file.
+/// A submission, and what its renderer does before it writes to a file.
 struct InRunFolder {
-  const char* name;  ///< What is true of the folder.
+  const char* name;  ///< A property of the folder.
   std::string before, to;
   std::map<std::string, std::string> files = {};
   std::vector<std::string> notes = {};
@@ -208,7 +208,8 @@ const InRunFolder kInRunFolder[] = {
      "else: sys.exit(3 if os.path.islink('table.txt') else 0)\n",
      "sys.argv[2]",
      {{"table.txt", std::string(300000, '7')}}},
-    // Files of likely names and of the driver file's name, and folders with names that a run uses.
+    // Files with likely names and with the driver file's name, and folders with names that a run
+    // uses.
     {"has no picture that was handed in",
      "assert not os.path.exists('out.ppm')\nassert not os.path.exists('drawn')\n",
      "'mine.ppm'",

@@ -1,5 +1,5 @@
-// Right submissions, reproducible grades, interrupted runs, and hand-ins like those of a class
-// (tests/submissions/class): each gets the score and the sentences of class.toml.
+// Right submissions, reproducible grades, interrupted runs, and submissions like those of a class
+// (tests/submissions/class), which get the scores and sentences in class.toml.
 
 #include "tests/tools/grade/grading.h"
 
@@ -18,7 +18,7 @@ TEST(RightSubmission, has_full_marks_under_every_seed) {
   const Grading grading;
   ASSERT_GT(seeds(), 1);
   const std::string rubric = grading.lecture7_with({});
-  // Submissions that grading compiles are tried only under the first seed.
+  // Submissions that grading compiles are tried only with the first seed.
   std::vector<std::string> folders = {
       grading.submit("source", "rays.cpp"), grading.submit_built("renderer", "rt.cpp", "none"),
       grading.submit("mine", "rays.py"), grading.submit_built("so", "right.cpp", "right")};
@@ -59,7 +59,7 @@ TEST_F(DegenerateSubmission, gets_no_points_if_every_answer_is_excused) {
                 {{"state", "fails"}, {"reason/kind", "never right"}, {"reason/quantity", "class"}});
 }
 
-/// Declared lengths and valid roots would exclude the rubric's cases.
+/// Declared lengths or valid roots would exclude the rubric's cases.
 TEST_F(DegenerateSubmission, gets_no_points_by_declaring_a_domain_without_cases) {
   const std::string rubric = grading.write(
       "rays.toml", kFormOfPython +
@@ -85,7 +85,7 @@ TEST_F(DegenerateSubmission, gets_no_points_by_declaring_a_domain_without_cases)
   }
 }
 
-/// For bonus items only: in ordinary items, cases without hits may count.
+/// This holds only for bonus items: in ordinary items, cases without hits may count.
 TEST_F(DegenerateSubmission, gets_no_bonus_by_always_missing) {
   const std::string rubric = grading.write(
       "bonus.toml", kFormOfPython + item_of("rays", "points = 10\nbonus = true\ncredit = \"share\"",
@@ -200,7 +200,7 @@ TEST_F(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   EXPECT_EQ(grading.file("", "grades.csv"), grading.file("", "grades.csv", "whole"));
 }
 
-/// A hand-in's entry in class.toml.
+/// The entry of a submission in class.toml.
 struct HandIn {
   std::string name;
   std::string language;

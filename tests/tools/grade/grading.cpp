@@ -68,7 +68,7 @@ std::string Grading::lecture7_with(
   const std::string root = RAYCHECK_SOURCE_DIR;
   std::string text = contents(root + "/" + kLecture7);
   for (const auto& [from, to] : replacements) text = replaced(text, from, to);
-  // Before the form that fits every submission.
+  // The new forms come before the form that fits every submission.
   const std::string last_form = "[[form]]\nhas = \"*\"";
   const std::string rubric =
       write("rubrics/lecture7.toml", replaced(text, last_form, kFormsOfBuilt + last_form));

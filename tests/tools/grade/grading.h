@@ -19,15 +19,15 @@ class Grading {
   std::string path(const std::string& name) const;
   /// Writes a file and makes its folders; returns its path.
   std::string write(const std::string& name, const std::string& text) const;
-  /// Makes a submission: a folder with a file of tests/submissions after a first line; returns its
-  /// path. Attacks are named rays.cpp.
+  /// Makes a submission, a folder with a file of tests/submissions, with `first` as the first line;
+  /// returns its path. Attacks are named rays.cpp.
   std::string submit(const std::string& name, const std::string& file,
                      const std::string& first_line = "") const;
-  /// The same with another file.
+  /// Makes a submission with another file.
   std::string hand_in(const std::string& name, const std::string& file,
                       const std::string& text) const;
-  /// The same, already built, which is quicker than compiling it while grading; for
-  /// `lecture7_with`. `wrong` is the name of its mistake or attack.
+  /// Makes a submission that is already built, which is quicker than compiling it while grading;
+  /// for `lecture7_with`. `wrong` is the name of its mistake or attack.
   std::string submit_built(const std::string& name, const std::string& file,
                            const std::string& wrong) const;
   /// Built submissions, each named after its mistake or attack.
@@ -35,12 +35,12 @@ class Grading {
                                        const std::string& file) const;
   /// A submission that does not compile.
   std::string submit_broken(const std::string& name) const;
-  /// The lecture's rubric and its scenes, with each first text replaced by the second; it also
-  /// accepts built submissions.
+  /// Writes the lecture's rubric and its scenes, with the first text of each pair replaced by the
+  /// second. The rubric also accepts built submissions.
   std::string lecture7_with(
       const std::vector<std::pair<std::string, std::string>>& replacements) const;
 
-  /// A quick rubric: keys, all of the forms below, and items.
+  /// Writes a quick rubric with these keys, all forms below, and these items.
   std::string short_rubric(const std::string& keys, const std::string& items,
                            const std::string& name = "short.toml") const;
 
@@ -51,7 +51,7 @@ class Grading {
   /// The arguments for grading.
   std::string arguments(const std::string& rubric, const std::vector<std::string>& submissions,
                         const std::string& out, const std::string& more = "") const;
-  /// A file of a submission's results, empty if it does not exist, and its result.json.
+  /// A file of a submission's results, empty if it does not exist; result(): its result.json.
   std::string file(const std::string& submission, const std::string& name,
                    const std::string& out = "out") const;
   json result(const std::string& submission, const std::string& out = "out") const;
@@ -62,10 +62,10 @@ class Grading {
   fs::path folder_;
 };
 
-/// Without isolation each start of a program is cheaper; for tests of other subjects.
+/// No isolation, so that each start of a program is cheaper; for tests of other subjects.
 inline constexpr const char* kLimitsOnly = "--sandbox none --i-know ";
 
-/// A test with such a folder.
+/// A test with a Grading.
 class GradingTest : public testing::Test {
  protected:
   const Grading grading;
@@ -108,7 +108,7 @@ inline constexpr const char* kGivenRays = "rays = \"given\"\n";
 /// Questions for pictures of a rubric's scene.
 std::string pictures(const std::string& scene, const std::string& more = "judge = \"mask\"\n");
 
-/// Items of few cases, for functions and pictures, failed by submissions that are mirrored, take
+/// Items with few cases, for functions and pictures. Submissions fail them that are mirrored, take
 /// the far root or the first sphere, or do not test s >= 0.
 inline const std::string kPixelZeroZero =
     item_of("pixel (0, 0)", "points = 4",
@@ -122,14 +122,14 @@ inline const std::string kNearestSphere = item_of(
     "nearest sphere", "points = 15",
     functions("nearest-sphere", "course", 12, kGivenRays) + pictures("lecture7/overlap.toml", ""));
 
-/// A rubric with one item for automatically built renderers, after a head: `pictures` pictures of
-/// full.toml, in which a sphere fills the picture.
+/// A rubric that begins with `head` and has one item for automatically built renderers: `pictures`
+/// pictures of full.toml, in which a sphere fills the picture.
 std::string full_rubric(int pictures, const std::string& head = "");
 
 /// Renderers that are right for the scene above and for the dry run's scenes, so that their form of
-/// driver files is found at once: they draw the discs of five spheres in the last one's colour. The
-/// one in C or C++ prints a colour's three parts by a format; the one in Python runs a command
-/// before it writes its file; the one in Java is a class Discs.
+/// driver files is found at once. They draw the discs of five spheres in the colour of the last.
+/// The renderer in C or C++ prints the three parts of a colour by this format; the one in Python
+/// runs a command before it writes its file; the one in Java is a class Discs.
 std::string renderer_in_c(const std::string& format = "\"%.0f %.0f %.0f \"");
 std::string renderer_in_python(const std::string& before = "",
                                const std::string& to = "sys.argv[2]");
@@ -162,8 +162,8 @@ json item(const json& result, const std::string& name);
 /// The names of the items in this state.
 std::vector<std::string> items_that(const json& result, const std::string& state);
 
-/// A result or page with "T" for each time: times differ between runs, and so does which of two
-/// equal submissions is built first.
+/// A result or page with "T" for each time, because times differ between runs, and so does the
+/// order in which equal submissions are built.
 std::string without_times(const std::string& text);
 
 }  // namespace raycheck::tests

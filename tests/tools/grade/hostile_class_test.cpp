@@ -1,4 +1,4 @@
-// A class with harmful submissions: the others get the same grades as without these.
+// In a class with harmful submissions, the others get the same grades as without them.
 
 #include <sys/mount.h>
 
@@ -57,7 +57,7 @@ TEST_F(HostileClass, keeps_its_grades_if_one_submission_fills_the_disk) {
     EXPECT_EQ(without_times(grading.file(name, "result.json", "together")),
               without_times(grading.file(name, "result.json", "alone")));
   }
-  // On a larger disk it meets its own limit.
+  // On a larger disk, it meets its own limit.
   const Outcome again = grading.grade(
       grading.short_rubric("reply_seconds = 20\nlimits = { disk_mib = 40 }\n", kNearestRoot),
       {fills}, "more");
@@ -116,7 +116,7 @@ TEST_F(HostileClass, judges_a_submission_again_that_was_killed_from_outside) {
   const json killed = grading.result("victim");
   EXPECT_EQ(killed["score"], 10) << outcome.out;
   EXPECT_TRUE(killed["finished"]);
-  // A program that kills itself does so again when it runs alone: this is graded.
+  // A program that kills itself does so again without other submissions; then it is graded.
   const json itself = grading.result("suicide");
   expect_values(itself, {{"score", 0}, {"finished", true}});
   EXPECT_TRUE(has(itself.dump(), "was killed by signal 9")) << itself.dump(2);

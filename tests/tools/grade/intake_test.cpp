@@ -47,7 +47,7 @@ const pixels = Array.from({length: w * h}, (_, k) => seen(k) ? colour : '0 0 0')
 fs.writeFileSync(image, `P3 ${w} ${h} 255\n${pixels.join('\n')}\n`);
 )";
 
-/// Finds Eigen in any folder.
+/// A source that includes Eigen in any folder.
 const std::string kUseOfEigen = "int unused() { return EIGEN_WORLD_VERSION; }\n";
 
 Files with(Files files, const Files& more) {
@@ -57,15 +57,16 @@ Files with(Files files, const Files& more) {
 const Files kSources = {
     {"rt.cpp", kCpp}, {"format.cpp", kFormatSource}, {"format.h", kFormatHeader}};
 
-/// A submission, and the expected report.
+/// A submission, and its expected report.
 struct Brought {
   const char* name;  ///< The expected outcome.
   Files files;
-  std::string program = {};               ///< Part of its command line.
-  std::vector<std::string> notes = {};    ///< Parts of the notes, in order.
-  std::string needs = {};                 ///< The test is skipped without this program.
-  std::string limits = {};                ///< Keys of the rubric.
-  std::vector<std::string> refused = {};  ///< Parts of the refusal; empty: it gets all points.
+  std::string program = {};             ///< Part of its command line.
+  std::vector<std::string> notes = {};  ///< Parts of the notes, in order.
+  std::string needs = {};               ///< The test is skipped if this program is not installed.
+  std::string limits = {};              ///< Keys of the rubric.
+  /// Parts of the refusal; if empty, it must get all points.
+  std::vector<std::string> refused = {};
 };
 
 void PrintTo(const Brought& brought, std::ostream* to) { *to << brought.name; }
@@ -88,7 +89,7 @@ const std::vector<Brought> kBuilt = {
                       "\tmkdir -p bin\n\tg++ -o $@ $(OBJECTS)\n"},
                      {"rt.o", "of another machine"}}),
      "./bin/shiny"},
-    // The submitted program is not mistaken for the built one.
+    // The submitted program is not mistaken for the built program.
     {"makes_a_program_in_a_folder_below",
      {{"report.txt", "see src"},
       {"src/rt.c", kC},
@@ -137,9 +138,9 @@ const std::vector<Brought> kBuilt = {
     {"has_two_mains_of_which_the_likeliest_is_taken",
      with(kSources, {{"another.cpp", "int main() { return 1; }\n"}}),
      "",
-     {"2 of its files have a main; the one in rt.cpp is used"}},
+     {"2 of its files have a main function; that of rt.cpp is used"}},
     {"has_a_source_that_does_not_compile_and_that_nothing_includes",
-     with(kSources, {{"attempt.cpp", "this is no C++\n"}}),
+     with(kSources, {{"attempt.cpp", "this is not C++\n"}}),
      "",
      {"its sources failed; built from its sources",
       "only files whose headers are included are compiled"}},
@@ -202,7 +203,8 @@ const std::vector<Brought> kBuilt = {
 
 const Files kMakesWhatFails = {
     {"Makefile", "check:\n\techo 'int main() { return 3; }' > check.c\n\tgcc -o check check.c\n"}};
-constexpr const char* kNoPicture = "it made no picture {image}; it said: no such key";
+constexpr const char* kNoPicture =
+    "it exited with 0, but did not write its picture, image.ppm; it printed: no such key";
 const std::string kLimits =
     "[limits]\nfile_mib = 1\nprocesses = 8\nmemory_mib = 300\nsubmission_mib = 1\nfiles = 3\n";
 
@@ -212,15 +214,16 @@ const std::vector<Brought> kRefused = {
              {"checks.c", kChecks},
              {"rt.c", kNoSuchKey}},
             {kNoPicture}),
-    // The Makefile's program fails; the one built from sources makes no picture.
+    // The Makefile's program fails; the program built from sources makes no picture.
     refused("is_built_in_several_ways_of_which_the_one_that_comes_farthest_is_quoted",
             with(kMakesWhatFails, {{"rt.c", kNoSuchKey}}), {kNoPicture}, "",
-            {"what was built from its Makefile shows no spheres; built from its sources instead"}),
+            {"the program built from its Makefile shows no spheres; it was built from its sources "
+             "instead"}),
     refused("is_built_in_several_ways_of_which_the_first_is_quoted_where_none_comes_farther",
             with(kMakesWhatFails, {{"rt.c", "int main() { return 4; }\n"}}), {"it exited with 3"}),
     refused("is_a_program_of_windows", {{"rt.exe", "MZ"}}, {"rt.exe is a Windows program"}),
     refused("has_no_main", {{"vec.cpp", "int one() { return 1; }\n"}},
-            {"none of its sources starts a program"}),
+            {"none of its source files has a main function"}),
     refused("does_not_compile", {{"rt.cpp", "int main() { return 0 }\n"}},
             {"'g++ -O2 -std=c++20 rt.cpp' exited with 1", "error: expected"}),
     refused("cannot_be_made", {{"Makefile", "rt: missing.cpp\n"}},
@@ -229,14 +232,15 @@ const std::vector<Brought> kRefused = {
             {{"Makefile", "rt:\n\t@for k in $$(seq 60); do echo line $$k; done; false\n"}},
             {"line 1\n", "line 12\n... ", " lines left out ...\n", "line 60\n"}),
     refused("says_something_in_place_of_a_picture", {{"rt.sh", "echo 'usage: rt WIDTH HEIGHT'\n"}},
-            {"it made no picture {image}; it said: usage: rt WIDTH HEIGHT"}),
+            {"it exited with 0, but did not write its picture, image.ppm; it printed: usage: rt "
+             "WIDTH HEIGHT"}),
     refused("ends_with_an_error", {{"rt.sh", "echo 'line 3:' >&2\necho 'what?' >&2\nexit 1\n"}},
             {"it exited with 1\nline 3:\nwhat?"}),
     refused("reads_whole_numbers_only",
             {{"rt.sh",
               "awk '/[0-9]\\.[0-9]|e-/ { print \"not whole: \" $0; exit 1 }' \"$1\" >&2 || exit 1\n"
               "{ echo P3 25 25 255; yes 1 2 3 | head -n 625; } > \"$2\"\n"}},
-            {"it reads numbers as integers, and fails where one has a fraction", "not whole: "}),
+            {"it reads numbers as integers, and fails if a number has a fraction", "not whole: "}),
     refused("writes_too_large_a_file",
             {{"rt.c",
               "#include <stdio.h>\nint main() { FILE* f = fopen(\"image.ppm\", \"w\");\n"
@@ -254,9 +258,9 @@ const std::vector<Brought> kRefused = {
               "    threading.Thread(target=time.sleep, args=(1,), daemon=True).start()\n"}},
             {"it may have at most 8 processes and threads (processes)"}, kLimits),
     refused("is_too_large", {{"rt.py", std::string(2 << 20, ' ')}},
-            {"it has more than 1 MiB (submission_mib)"}, kLimits),
+            {"it has more than 1 MiB (limits.submission_mib)"}, kLimits),
     refused("has_too_many_files", {{"1.py", ""}, {"2.py", ""}, {"3.py", ""}, {"4.py", ""}},
-            {"it has more than 3 files (files)"}, kLimits),
+            {"it has more than 3 files (limits.files)"}, kLimits),
     refused("is_built_too_slowly", {{"Makefile", "rt:\n\tsleep 30\n"}},
             {"did not end, and used almost no CPU time for 1 s (build_seconds)"},
             "[limits]\nbuild_seconds = 1\n")};
@@ -339,7 +343,8 @@ TEST_F(LongIntake, gives_the_same_grades_from_the_store) {
   grade_brought(grading, {"other"});
   const json other = grading.result("other");
   EXPECT_EQ(other["notes"][1],
-            "what was built from its Makefile shows no spheres; built from its sources instead");
+            "the program built from its Makefile shows no spheres; it was built from its sources "
+            "instead");
   expect_parts(other["program"], {"./raycheck-built "});
   grade_brought(grading, {"other"}, "title = \"again\"\n");
   const json again = grading.result("other");
@@ -398,7 +403,7 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
                {"the package org.ejml.simple is missing: put its jar beside the sources"});
 }
 
-/// It waits in the forms that it reads and rejects the others.
+/// The program waits in the forms that it reads, and rejects the others.
 TEST_F(LongIntake, shows_the_output_of_the_form_in_which_a_program_gets_farthest) {
   bring(grading, "far",
         {{"rt.py",

@@ -7,7 +7,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// The points of right answers by the attacks' functions, and of all items.
+/// The points for right answers by the attacks' functions, and the points of all items.
 constexpr double kRightHits = 10, kAll = 14;
 
 std::string short_rubric(const Grading& grading, const std::string& keys = "") {
@@ -35,7 +35,7 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
     }
   }
 
-  /// Grades there. `program`: the path of raycheck.
+  /// Grades on the machine. `program`: the path of raycheck.
   Outcome grade(int exit_code, const std::string& rubric,
                 const std::vector<std::string>& submissions, const std::string& more = "",
                 const std::string& program = RAYCHECK_BINARY,
@@ -44,7 +44,7 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
                         grading.arguments(rubric, submissions, "out", "--jobs 2 " + more) + "\n",
                     exit_code);
   }
-  /// The options with which `grade` works there.
+  /// The options with which `grade` works on the machine.
   std::string as_it_is() const { return GetParam().has_bubblewrap ? "" : "--sandbox available "; }
 
   const Grading grading;
@@ -83,7 +83,7 @@ TEST_P(HostileOnMachine, AttacksEarnNoPointsAndTheGraderSurvives) {
 }
 
 TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
-  // Installed below /usr/local for this test only.
+  // raycheck is installed below /usr/local only for this test.
   const std::string build = fs::path(RAYCHECK_BINARY).parent_path().string();
   const std::string install = grading.write(
       "install.sh",
@@ -151,7 +151,7 @@ TEST_P(HostileOnMachine, LessIsolationIsAnErrorUnlessRequested) {
 
 TEST_P(HostileOnMachine, OtherProcessesOfTheUserDoNotCountAgainstSubmissions) {
   if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a separate user";
-  // More than the 64 that a submission may have, as on a desktop.
+  // The user has more than the 64 processes that a submission may have, as on a desktop.
   const std::string rubric = short_rubric(grading);
   const std::string threads = grading.submit("python", "rays.py");
   const std::string before = std::string("for k in $(seq 80); do ") + kAsNobody +
@@ -164,10 +164,10 @@ TEST_P(HostileOnMachine, OtherProcessesOfTheUserDoNotCountAgainstSubmissions) {
 TEST(HostileJail, BlocksSignalsIfTheKernelCannot) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can be another user";
   const Grading grading;
-  // A copy, since the other user may lack access to the build folder.
+  // The jail program is copied, because the other user may not have access to the build folder.
   const std::string jail = grading.path("jail");
   fs::copy_file(fs::path(RAYCHECK_BINARY).parent_path() / "raycheck-jail", jail);
-  // Without Landlock, by seccomp only. The last line is reached only if the script is not killed.
+  // Only seccomp, without Landlock. The last line is reached only if the script is not killed.
   const std::string script = grading.write("signals.sh", R"(
 sleep 100 &
 judge=$!
@@ -209,7 +209,7 @@ class HostileSandbox : public GradingTest {};
 
 TEST_F(HostileSandbox, ThatFailsLaterIsNotSkipped) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can put a program in another's place";
-  // Works for the trial and for the candidate's introduction, then fails.
+  // The program works for the trial and for the candidate's introduction, and then fails.
   grading.write("count", "0\n");
   grading.write("bwrap",
                 "#!/bin/sh\ncd '" + grading.path("") +
@@ -230,7 +230,7 @@ TEST_F(HostileSandbox, ThatFailsLaterIsNotSkipped) {
                              "bubblewrap"});
 }
 
-/// A TMPDIR and the expected error; empty: it is usable.
+/// A TMPDIR, and the expected error; empty if it is usable.
 struct TriedFolder {
   const char* name;
   mode_t mode;

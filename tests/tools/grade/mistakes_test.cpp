@@ -1,5 +1,5 @@
-// The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture; and
-// submissions in `float`, graded in double and in single precision.
+// The classic mistakes in tests/submissions, graded by the rubric of the seventh lecture; and
+// submissions in `float`, graded in double and single precision.
 
 #include "tests/tools/grade/grading.h"
 
@@ -9,7 +9,7 @@ namespace {
 /// The cost of a mistake.
 struct Mistake {
   const char* name;
-  double score;          ///< Out of 100 and a bonus of 10; to two decimals.
+  double score;          ///< Of 100 and a bonus of 10, to two decimals.
   const char* fails;     ///< Items that fail, without those that follow.
   const char* sentence;  ///< The mistake named for the submission; or empty.
   int named;             ///< The number of items that name it.
@@ -43,7 +43,7 @@ const std::vector<Mistake> kOfFunctions = {
     {"centre_behind", 109.67, "robustness",
      "only the near root counts, so that spheres around the origin are not seen, or: v >= 0 is "
      "tested in place of s >= 0: spheres around the origin are hit behind it, or: v < 0 counts "
-     "as a miss, so that spheres around the origin are not seen where their centres lie behind it",
+     "as a miss, so that spheres around the origin are not seen if their centres lie behind it",
      1},
 };
 
@@ -69,7 +69,7 @@ const std::vector<Mistake> kOfPictures = {
     {"near_root_only", 108, "robustness",
      "only the near root counts, so that spheres around the origin are not seen", 1},
     {"centre_behind", 108, "robustness",
-     "v < 0 counts as a miss, so that spheres around the origin are not seen where their centres "
+     "v < 0 counts as a miss, so that spheres around the origin are not seen if their centres "
      "lie behind it",
      1},
     {"far_root", 95, "nearest sphere",
@@ -77,8 +77,9 @@ const std::vector<Mistake> kOfPictures = {
     {"upside_down", 105, "pixel (0, 0)", "rows are upside down", 2},
     {"mirrored", 103, "pixel (0, 0), robustness", "columns are mirrored", 3},
     {"cancelling", 108, "robustness",
-     "d^2 loses its digits from 10^8 radii away, where larger numbers cancel (r^2 - |T x D|^2 "
-     "keeps them)",
+     "d^2 loses its digits (here more than 10^8 radii away), because larger numbers are "
+     "subtracted; "
+     "r^2 - |T x D|^2 keeps them",
      1},
     {"left_and_right_negated", 103, "boundary pixels, robustness",
      "left and right are both negated, or: U has the wrong sign", 4},
@@ -108,23 +109,22 @@ const std::vector<Mistake> kOfPictures = {
      "", 0},
     {"sorted_once", 108, "whole scenes", "", 0},
     {"exits_where_all_is_behind", 98, "ray origin, robustness",
-     "it fails only where everything that a ray's line meets is behind the ray's origin", 4},
+     "it fails only if everything that a ray's line meets is behind the ray's origin", 4},
     {"lines_for_columns", 105, "width and height",
-     "the loops that write the picture are exchanged: as many lines as there are columns, of as "
-     "many values as there are rows; rays are traced beyond the image, too",
+     "the loops that write the picture are exchanged: it has a line for each column, with a "
+     "value for each row; rays are traced beyond the image, too",
      2},
     {"lines_from_the_last", 105, "width and height",
-     "the loops that write the picture are exchanged: as many lines as there are columns, of as "
-     "many values as there are rows; rays are traced beyond the image, too, from the last row on",
+     "the loops that write the picture are exchanged: it has a line for each column, with a "
+     "value for each row; rays are traced beyond the image, too, from the last row on",
      2},
     {"whole_view", 95, "camera frame",
      "eye, look and up are read as integers: their fractions are dropped", 2},
     {"whole_d", 96, "whole scenes, robustness", "d is read as an integer: its fraction is dropped",
      2},
     {"least_size_wins", 98, "ray origin, robustness",
-     "s >= 0 is not tested, and the least |s| wins, though s is negative", 4},
-    {"steps_of_larger", 105, "width and height", "it fails only where the picture is not square",
-     2},
+     "s >= 0 is not tested, and the least |s| wins, even if s is negative", 4},
+    {"steps_of_larger", 105, "width and height", "it fails only if the picture is not square", 2},
     {"largest_multiple", 104, "robustness",
      "hits with an s above about 1e5 (perhaps less), in multiples of P - E, are dropped: the "
      "largest s that counts is too small",
@@ -135,7 +135,8 @@ const std::vector<Mistake> kOfPictures = {
      1},
 };
 
-/// The mistakes of pictures that make it harder to find the form of driver files that is read.
+/// Mistakes in pictures that make it harder to find the form of driver files that the program
+/// reads.
 const std::vector<Mistake> kOfForms = {
     {"axes_dropped", 0,
      "camera frame, boundary pixels, width and height, pixel (0, 0), unit directions, ray origin, "
@@ -149,7 +150,7 @@ const std::vector<Mistake> kOfForms = {
      "directions are not normalised: D = P - E", 10},
 };
 
-/// A submission loses the points of its mistake, and the mistake is named.
+/// Expects that a submission loses the points of its mistake, and that the mistake is named.
 void expect_cost(const Grading& grading, const std::string& submission, const Mistake& mistake,
                  const Outcome& outcome) {
   SCOPED_TRACE(submission);
@@ -214,14 +215,14 @@ TEST(GradedMistakes, from_state_kept_between_questions_are_reported_as_such) {
   const json item = grading.result("keeps")["items"][0];
   EXPECT_EQ(item["state"], "fails") << item.dump(2);
   ASSERT_EQ(item["mistakes"].size(), 1u) << item.dump(2);
-  expect_parts(item["mistakes"][0].dump(), {"it keeps state between questions"});
+  expect_parts(item["mistakes"][0].dump(), {"the candidate keeps state between questions"});
   EXPECT_FALSE(item["first_wrong"].is_null());
 }
 
 TEST(LongGradedForms, are_found_whatever_the_mistake) {
   const Grading grading;
   const std::string said = expect_costs(grading, grading.lecture7_with({}), "rt.cpp", kOfForms);
-  // With unnormalised directions the form of driver files cannot be found.
+  // With directions that are not normalised, the form of driver files cannot be found.
   expect_parts(said, {"directions are not normalised: D = P - E; and rows are upside down"});
   const std::string found = grading.result("crossed_bounds").dump();
   EXPECT_FALSE(has(found, "near has the wrong sign")) << found;
@@ -283,8 +284,8 @@ TEST(GradedMistakes, cover_every_mistake_of_the_submissions) {
 
 using Names = std::vector<std::string>;
 
-/// The items that submissions in floats lose by a changed lecture rubric: functions, functions with
-/// the lecture's formula, which cancels, a renderer, and a renderer with that formula.
+/// The items that submissions in floats fail by a changed lecture rubric: functions, functions with
+/// the lecture's formula, which cancels, a renderer, and a renderer with this formula.
 std::vector<Names> lost(const std::vector<std::pair<std::string, std::string>>& changes) {
   const Grading grading;
   std::vector<std::string> folders;

@@ -1,4 +1,4 @@
-// The zip file for Gradescope, unpacked and run as Gradescope does.
+// The zip file for Gradescope, unpacked and run as on Gradescope.
 
 #include "tests/tools/external/machine.h"
 #include "tests/tools/grade/grading.h"

@@ -1,4 +1,4 @@
-// The pictures in students' pages: what was drawn, what is expected, and where they differ.
+// The pictures in students' pages: the drawn picture, the expected one, and their differences.
 
 #include "tests/tools/grade/grading.h"
 #include "tests/tools/report/picture.h"
@@ -94,7 +94,7 @@ TEST_F(Pictures, show_the_drawn_and_the_exact_picture_pixel_by_pixel) {
           EXPECT_EQ(colour == kOrange, (*lines)[y][x] == "0");
           colours.insert(colour);
         }
-        // Exactly the wrong pixels have marks.
+        // The wrong pixels have marks, and no others.
         std::set<std::array<std::uint8_t, 3>> mark;
         for (std::size_t k = 0; k < 49; ++k) {
           mark.insert(shown[2].picture.pixels.at((7 * y + k / 7) * 7 * width + 7 * x + k % 7));

@@ -1,11 +1,13 @@
-// `grade --probe`: the report of the dry run, and that its suggestion has the same effect.
+// `grade --probe`: the report of the dry run, and the effect of its suggestion, which must be the
+// same.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Renderers as shell scripts: quick, since they are started a hundred times if no form works.
+/// Renderers are shell scripts, which start quickly: if no form works, a renderer is started a
+/// hundred times.
 const std::string kBlackPicture =
     "echo 'line 4: I do not know that word'\n"
     "{ echo P3 25 25 255; yes '0 0 0' | head -n 625; } > \"$2\"\n";
@@ -37,7 +39,7 @@ class Probe : public testing::Test {
     EXPECT_EQ(outcome.exit_code, is_refused ? 1 : 0) << outcome.err;
     return submissions;
   }
-  /// Driver files of one form only.
+  /// A [driver] table with only one form.
   std::string one_form(const std::string& preset = "2018", const std::string& keys = "") const {
     return grading_.write("one-form.toml", keys + "[driver]\npreset = \"" + preset + "\"\n" +
                                                kAsTheyCome + kOnePicture);
@@ -114,7 +116,7 @@ TEST_F(Probe, reports_what_is_wrong_with_a_picture_and_the_programs_output) {
        grading_.hand_in("empty", "rt.sh", kEmptyPicture),
        grading_.hand_in("other", "rt.sh", kOtherSize), grading_.hand_in("sky", "rt.sh", kSky)},
       one_form());
-  EXPECT_EQ(all[0]["refused"]["why"], "it made no picture {image}");
+  EXPECT_EQ(all[0]["refused"]["why"], "it exited with 0, but did not write its picture, image.ppm");
   EXPECT_EQ(all[0]["refused"]["said"], "first words\nlast words");
   ASSERT_FALSE(all[1]["refused"].is_null());
   expect_parts(all[1]["refused"].dump(), {"wrote it"});
@@ -135,8 +137,8 @@ TEST_F(Probe, logs_progress_without_a_terminal_and_retries_programs_that_only_wa
       probe(one_form("2019", "reply_seconds = 1\n"),
             {grading_.hand_in("draws", "rt.py", renderer_in_python()), waits}, "--format json");
   EXPECT_EQ(outcome.err,
-            "submissions: 1 of 2 tried: draws\nsubmissions: 2 of 2 tried: waits\n"
-            "submissions: tried again, alone: waits\n");
+            "submissions: 1 of 2 done: draws\nsubmissions: 2 of 2 done: waits\n"
+            "submissions: waits: repeated, with no other submission running\n");
   EXPECT_EQ(json::parse(outcome.out)["submissions"][1]["refused"]["why"],
             "it did not end, and used almost no CPU time for 1 s (reply_seconds)");
 }
@@ -148,7 +150,7 @@ TEST_F(Probe, names_the_form_that_is_read_if_another_is_requested) {
       "but of form B, spheres of 13 numbers, a light";
   const json refuses = probed({of_class("kofi")}, one_form("2019"))[0];
   expect_values(refuses, {{"refused/why", "it exited with 1"}, {"notes", json({note})}});
-  // A submission that only shows nothing is judged in the requested form.
+  // A submission that shows nothing is judged in the requested form.
   const std::string farid = of_class("farid");
   grading_.grade(one_form("auto"), {farid}, "asked", "--dialect C");
   const json asked = grading_.result("farid", "asked");
@@ -228,7 +230,7 @@ TEST_F(Probe, prefers_the_most_complete_form_that_is_read) {
 }
 
 TEST_F(Probe, reports_programs_that_draw_differently_each_time) {
-  // Right the first time, then black.
+  // The picture is right the first time, and black afterwards.
   const std::string once = "'" + grading_.path("once") + "'";
   const std::string black =
       "if os.path.exists(" + once + "): colour = [0, 0, 0]\nopen(" + once + ", 'w').close()\n";
@@ -258,7 +260,7 @@ TEST_F(Probe, reports_the_time_that_a_slow_renderer_needs) {
                            one_form("2019", "reply_seconds = 1\n"))[0];
   ASSERT_FALSE(slow["refused"].is_null());
   expect_parts(slow["refused"]["why"], {"it needs more time"});
-  // The tenth of a second in which it waits for a processor does not count.
+  // The time in which it waits for a processor, a tenth of a second, does not count.
   EXPECT_GT(slow["dry_run"]["needed_seconds"], 1.2);
 }
 

@@ -1,4 +1,4 @@
-// Students' files contain no withheld information in any notation: every number there is compared
+// Students' files contain no withheld information in any notation: every number in them is compared
 // with every withheld number.
 
 #include "tests/tools/grade/grading.h"
@@ -6,14 +6,14 @@
 namespace raycheck::tests {
 namespace {
 
-/// A number in a text, and how much the number that it rounds may differ.
+/// A number in a text, and the largest difference of a number that is rounded to it.
 struct Written {
   std::string text;
   double value = 0;
   double half_a_digit = 0;
 };
 
-/// Numbers with fewer digits are counts, points and places.
+/// Numbers with fewer digits are counts, points or places.
 constexpr int kFewestDigits = 3;
 constexpr int kFewestDigitsOfIntegers = 5;
 
@@ -88,7 +88,7 @@ void add_numbers(const json& list, std::vector<double>& numbers) {
   }
 }
 
-/// A record's withheld numbers, and the harmless ones: questions and the submission's answers.
+/// A record's withheld numbers, and its harmless numbers: questions and the submission's answers.
 struct Numbers {
   std::vector<double> secret, open;
 };
@@ -113,7 +113,7 @@ Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
   for (const double number : all) {
     const bool is_open =
         std::find(numbers.open.begin(), numbers.open.end(), number) != numbers.open.end();
-    // Numbers with few binary digits occur in any scene.
+    // Numbers with few binary digits may occur in any scene.
     if (!is_open && std::isfinite(number) && std::fmod(number * 64, 1) != 0) {
       numbers.secret.push_back(number);
     }
@@ -121,8 +121,8 @@ Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
   return numbers;
 }
 
-/// The secrets that a number of the text reveals, to its digits.
-std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
+/// The withheld numbers that a number in the text reveals.
+std::vector<std::string> revealed_by(const Numbers& numbers, const std::string& text) {
   std::vector<std::string> found;
   const std::vector<Written> all = numbers_in(text);
   for (const double secret : numbers.secret) {
@@ -139,7 +139,7 @@ std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
   return found;
 }
 
-/// Mistakes of submissions, and items of which each submission fails some.
+/// Mistakes of submissions, and items; each submission fails some of these.
 const std::vector<std::string> kMistakes = {"u_and_w_flipped", "normalize_discarded", "far_root",
                                             "float_directions", "top_from_right"};
 constexpr const char* kLaws[] = {"frame",     "direction",    "unit-direction", "parameter",
@@ -148,13 +148,14 @@ constexpr const char* kLaws[] = {"frame",     "direction",    "unit-direction", 
 /// An item's visibility and detail.
 using Shown = std::vector<std::pair<std::string, std::string>>;
 
-struct Told {
+struct Revealed {
   std::size_t secrets = 0;
-  std::vector<std::string> told;
+  std::vector<std::string> revealed;
 };
 
-Told told_to_students(const std::string& format, const Shown& shown,
-                      const std::vector<std::string>& parts, const std::vector<std::string>& keys) {
+Revealed revealed_to_students(const std::string& format, const Shown& shown,
+                              const std::vector<std::string>& parts,
+                              const std::vector<std::string>& keys) {
   const Grading grading;
   std::string items;
   for (const std::string law : kLaws) {
@@ -166,12 +167,12 @@ Told told_to_students(const std::string& format, const Shown& shown,
   }
   grading.grade(grading.short_rubric("", items), grading.submit_each(kMistakes, "rays.cpp"), "out",
                 "--format " + format);
-  Told all;
+  Revealed all;
   for (const std::string& mistake : kMistakes) {
     const Numbers numbers = numbers_of(grading.result(mistake), parts, keys);
-    const auto found = told(numbers, given_to_student(grading, mistake));
+    const auto found = revealed_by(numbers, given_to_student(grading, mistake));
     all.secrets += numbers.secret.size();
-    all.told.insert(all.told.end(), found.begin(), found.end());
+    all.revealed.insert(all.revealed.end(), found.begin(), found.end());
   }
   return all;
 }
@@ -185,17 +186,18 @@ TEST_P(EachResultsFormat, ContainsNoWithheldNumber) {
       {"after_due_date", "actual-only"}};
   // Gradescope itself hides items until they are due.
   if (GetParam() != std::string("gradescope")) shown.emplace_back("after_due_date", "full");
-  const Told all = told_to_students(GetParam(), shown, {"failing", "first_wrong"},
-                                    {"exact", "error", "condition"});
+  const Revealed all = revealed_to_students(GetParam(), shown, {"failing", "first_wrong"},
+                                            {"exact", "error", "condition"});
   EXPECT_GT(all.secrets, 60u);
-  EXPECT_TRUE(all.told.empty()) << all.told.size() << " of " << all.secrets
-                                << " are told, the first: " << all.told.front();
+  EXPECT_TRUE(all.revealed.empty()) << all.revealed.size() << " of " << all.secrets
+                                    << " are revealed, the first: " << all.revealed.front();
 }
 
 TEST_P(EachResultsFormat, ContainsNumbersThatAreNotWithheld) {
-  const Told all = told_to_students(GetParam(), {{"visible", "full"}}, {"failing"}, {"exact"});
+  const Revealed all =
+      revealed_to_students(GetParam(), {{"visible", "full"}}, {"failing"}, {"exact"});
   EXPECT_GE(all.secrets, 5u);
-  EXPECT_EQ(all.told.size(), all.secrets);
+  EXPECT_EQ(all.revealed.size(), all.secrets);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, EachResultsFormat, testing::Values("gradescope", "prairielearn"),
@@ -212,7 +214,7 @@ TEST(Redaction, does_not_name_hidden_items) {
   EXPECT_EQ(item(grading.result("mine"), "open")["reason"]["item"], "covert");
   const std::string text = given_to_student(grading, "mine");
   EXPECT_FALSE(has(text, "covert"));
-  expect_parts(text, {"left out: it needs another item to have all points"});
+  expect_parts(text, {"left out: another item must have all points first"});
 }
 
 }  // namespace

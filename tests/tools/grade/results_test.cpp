@@ -38,7 +38,7 @@ void expect_gradescope(const Grading& grading) {
         all,
         {{"visibility", "visible"}, {"stdout_visibility", "hidden"}, {"output_format", "text"}});
     double sum = 0, most = 0;
-    ASSERT_EQ(all["tests"].size(), 5u) << "whole scenes are not asked of programs";
+    ASSERT_EQ(all["tests"].size(), 5u) << "programs are not judged on whole scenes";
     for (const json& one : all["tests"]) {
       sum += one["score"].get<double>();
       most += one["max_score"].get<double>();
@@ -97,9 +97,9 @@ TEST(Results, of_a_class_have_the_format_of_each_system) {
     return grading.grade(rubric, folders, "out", std::string("--format ") + format).out;
   };
   const std::string printed = graded("gradescope");
-  expect_parts(printed, {"4 submissions graded"});
+  expect_parts(printed, {"3 of 4 submissions graded; 1 could not be judged"});
   expect_gradescope(grading);
-  // The grades are those of the previous run: only the written format differs.
+  // The grades are those of the previous run; only the format of the files differs.
   graded("prairielearn");
   expect_prairielearn(grading);
   const std::string table = graded("csv");
@@ -122,7 +122,7 @@ TEST(ClassResults, show_the_points_for_submissions_that_could_not_be_judged) {
   const std::string right = grading.submit_built("right", "rays.cpp", "none");
   expect_parts(grading.grade(rubric, {broken, right}, "out", "--format gradescope").out,
                {"broken      25 of 100  could not be judged: ", "right      100 of 100, bonus 10\n",
-                "2 submissions graded, 1 could not be judged"});
+                "1 of 2 submissions graded; 1 could not be judged"});
   EXPECT_EQ(results(grading, "broken")["score"], 25);
   expect_parts(results(grading, "broken")["output"], {"could not be judged"});
   expect_parts(grading.file("", "grades.csv"), {"\nbroken,25,100,,,"});
@@ -150,7 +150,8 @@ std::vector<std::string> references(const std::string& html) {
   return found;
 }
 
-/// `check` fails a submission on the case that its page shows, but not a right one.
+/// Expects that `check` finds a defect of a submission on the case that its page shows, and no
+/// defect of a right one.
 void expect_case_for_check(const Grading& grading, const std::string& library) {
   const json failing = item(grading.result("wrong"), "nearest root")["failing"];
   const std::string scene = grading.path("out/wrong/nearest-root.toml");
@@ -209,8 +210,8 @@ TEST(ClassResults, rank_mistakes_by_students_and_separate_unjudged_submissions) 
        grading.submit_built("bob", "rays.cpp", "far_root"),
        grading.submit_built("cleo", "rt.cpp", "mirrored"), grading.submit_broken("dan"),
        grading.submit_built("eve", "rays.cpp", "far_root")});
-  expect_parts(outcome.out, {"could not be judged: g++ exited with 1\n",
-                             "5 submissions graded, 1 could not be judged (built in "});
+  expect_parts(outcome.out, {"could not be judged: g++ exited with 1\n", "/dan/report.html\n",
+                             "4 of 5 submissions graded; 1 could not be judged (built in "});
   const std::string page = grading.file("", "index.html");
   const std::size_t first = page.find(
       "<span class=\"name\">the far root is taken for the near one"

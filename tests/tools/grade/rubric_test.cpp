@@ -1,4 +1,4 @@
-// The effect of a rubric's keys on points and students' pages; and the shipped rubrics.
+// The effect of a rubric's keys on points and students' pages, and the shipped rubrics.
 
 #include "tests/tools/grade/grading.h"
 
@@ -23,7 +23,7 @@ TEST_F(RubricKeys, credit_turns_the_share_of_holding_cases_into_points) {
   const std::string nearest = functions("nearest-sphere", "course", 40, kGivenRays);
   const std::string share = "points = 8\ncredit = \"share\"";
   const std::string steps = "points = 8\ncredit = \"steps\"\nsteps = ";
-  // One at a time: together, the mistake would cost only the first item.
+  // The items are tried one at a time, because together the mistake would cost only the first.
   const auto wrong = [&](const std::string& keys) {
     const json result =
         graded(grading, item_of("one", keys, nearest), "rays.cpp", "first_sphere_wins");
@@ -87,8 +87,8 @@ TEST_F(RubricKeys, requires_leaves_out_dependent_items) {
   EXPECT_EQ(item(result, "later")["reason"],
             json({{"kind", "needs"}, {"item", "after"}, {"state", "left out"}}));
   const std::string page = grading.file("u_flipped", "report.html");
-  expect_parts(page, {"left out: it needs &#39;frame&#39;, which fails<",
-                      "left out: it needs &#39;after&#39;, which is left out<"});
+  expect_parts(page, {"left out: &#39;frame&#39; must have all points first, but fails<",
+                      "left out: &#39;after&#39; must have all points first, but is left out<"});
   expect_values(result, {{"score", 4}, {"points", 29}});
 }
 
@@ -192,7 +192,7 @@ TEST(RubricCommand, copies_a_rubric_with_its_scenes_and_overwrites_nothing) {
             "wrote " + out + "/lecture7.toml and " + std::to_string(scenes) + " scenes\n");
   grading.write("copy/of/it/lecture7.toml", "mine");
   const Outcome again = run("rubric lecture7.toml --out '" + out + "'", 2);
-  expect_parts(again.err, {"out " + out + ": lecture7", " exists already"});
+  expect_parts(again.err, {"out " + out + ": lecture7", " already exists there"});
   EXPECT_EQ(contents(out + "/lecture7.toml"), "mine");
 }
 

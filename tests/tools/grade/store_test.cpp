@@ -1,4 +1,5 @@
-// The store between runs: nothing is built or asked twice, and changed files are ignored.
+// The store of builds and answers: later runs build and ask nothing twice, and ignore changed
+// files.
 
 #include "tests/tools/grade/grading.h"
 
@@ -8,14 +9,14 @@ namespace {
 /// Builds and programs may record their starts in files of the test.
 const std::string kUnkept = std::string(kLimitsOnly) + "--format json ";
 
-/// A right `intersect`; commands to run at the start come before it.
+/// The lines of a right `intersect`; commands to run at the start come before it.
 const std::string kHits =
     replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"),
              "frame=frame, pixel_point=pixel_point, pixel_ray=pixel_ray,\n"
              "           focal_ray=focal_ray, intersect=intersect, nearest=nearest",
              "intersect=intersect");
 
-/// The same with a command at the beginning of intersect.
+/// A right `intersect` that begins with a command.
 std::string hits_but_first(const std::string& line) {
   const std::string start = "    (origin, d), (centre, r) =";
   return replaced(kHits, start, "    " + line + "\n" + start);
@@ -101,7 +102,7 @@ TEST_F(Store, reuses_builds_and_answers_after_a_change_of_an_item) {
 }
 
 TEST_F(Store, gives_the_same_reason_again_for_a_program_without_a_picture) {
-  // It exits with 3 in the first form, and gets farther in the others.
+  // The program exits with 3 in the first form, and gets farther in the others.
   const std::string program = submit("mine", "rt.py", "first = '" + grading.path("first") + R"py('
 import os, sys
 asked = open(sys.argv[1]).read()
@@ -115,7 +116,8 @@ sys.exit(3 if asked == open(first).read() else 0)
     return grading.write("any.toml", text);
   };
   const json first = graded(of_any_form(10), {program})["submissions"][0];
-  EXPECT_EQ(first["refused"]["why"], "it made no picture {image}") << first.dump(2);
+  EXPECT_EQ(first["refused"]["why"], "it exited with 0, but did not write its picture, image.ppm")
+      << first.dump(2);
   EXPECT_EQ(first["refused"]["said"], "one line\nanother");
   const std::size_t starts = lines("starts");
   EXPECT_EQ(graded(of_any_form(12), {program})["submissions"][0]["refused"], first["refused"]);
@@ -191,8 +193,8 @@ TEST_F(Store, stores_time_outs_of_replies) {
   EXPECT_EQ(lines("starts"), starts);
 }
 
-/// The shards of a class: a graded submission is not graded again, and the result equals that of
-/// one run.
+/// Grades the shards of a class: a graded submission is not graded again, and the result equals
+/// that of one run.
 TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   std::vector<std::string> folders;
   for (const char* name : {"ada", "ben", "cleo"}) folders.push_back(submit(name, "rays.py", kHits));

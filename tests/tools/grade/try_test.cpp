@@ -21,15 +21,16 @@ Outcome try_it(const Grading& grading, const std::string& rubric, const std::str
              more);
 }
 
-/// The lines of `text` between the title and the first empty line, or what follows the items.
+/// The lines of `text` between the title and the first empty line, or the text after the items.
 std::vector<std::string> item_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   std::string line;
   std::getline(stream, line);
   while (std::getline(stream, line) && !line.empty() && !line.starts_with("see ") &&
-         !line.starts_with("written: ") && !has(line, "not shown, but in the score")) {
-    const bool is_of_items = !line.starts_with("isolated by: ") && !has(line, " submission graded");
+         !line.starts_with("wrote ") && !has(line, "not shown, but in the score")) {
+    const bool is_of_items =
+        !line.starts_with("isolated by: ") && !has(line, " graded") && !has(line, "  see ");
     if (is_of_items) lines.push_back(line);
   }
   return lines;
@@ -73,20 +74,66 @@ TEST(TryCommand, shows_visible_items_and_counts_all) {
   expect_parts(tried.out, {"\n  not shown, but in the score: 1 item\n"});
   const std::size_t at = tried.out.find("\nnearest root\n");
   ASSERT_NE(at, std::string::npos) << tried.out;
-  const std::string told = tried.out.substr(at, tried.out.find("\n\n", at) - at);
-  expect_parts(told, {"hint: "});
+  const std::string shown = tried.out.substr(at, tried.out.find("\n\n", at) - at);
+  expect_parts(shown, {"hint: "});
   for (const char* part : {"mistake", "[[sphere]]", "got", "the law"}) {
-    EXPECT_FALSE(has(told, part)) << told;
+    EXPECT_FALSE(has(shown, part)) << shown;
   }
   EXPECT_EQ(item_lines(tried.out).front(), item_lines(graded.out).front()) << "the same score";
   EXPECT_EQ(files_of(grading.path("tried/mine")), files_of(grading.path("out/mine")));
 }
 
-/// Enough cases to fail by a wrong camera.
+/// Enough cases for a wrong camera to fail.
 const std::string kFewPictures =
     item_of("a few pictures", "points = 10",
             "[item.pictures]\njudge = \"mask\"\n"
             "scenes = [\"lecture7/wide.toml\", \"lecture7/orientation.toml\"]");
+
+TEST(TryCommand, shows_every_submission_and_fails_if_one_does) {
+  const Grading grading;
+  const std::string rubric = grading.short_rubric("", kNearestRoot);
+  const std::string right = grading.submit_built("right", "rays.cpp", "none");
+  const std::string wrong = grading.submit_built("wrong", "rays.cpp", "no_test_for_t");
+  for (const std::string& both :
+       {"'" + right + "' '" + wrong + "'", "'" + wrong + "' '" + right + "'"}) {
+    const Outcome tried = run("try '" + rubric + "' " + both, 1);
+    expect_parts(tried.out, {"\nright: 10 of 10\n", "\nwrong: 0 of 10\n", "mistake: s >= 0",
+                             "to repeat it, save it as nearest-root.toml:\n"});
+    // Nothing is written, and several steps decide whether there is a hit.
+    for (const char* part : {"wrote ", "goes wrong at"}) EXPECT_FALSE(has(tried.out, part));
+    expect_parts(tried.err, {"submissions: 2 of 2 done: "});
+  }
+  run("try '" + rubric + "' '" + right + "'", 0);
+}
+
+TEST(TryCommand, names_the_function_that_is_missing_and_what_to_do) {
+  const Grading grading;
+  const std::string rubric = grading.short_rubric(
+      "",
+      item_of("points", "points = 4\nhint = \"Print P.\"", functions("pixel-point", "course", 6)) +
+          item_of("directions", "points = 4\nhint = \"Print D.\"",
+                  functions("unit-direction", "course", 6)));
+  const std::string submission = grading.hand_in(
+      "few", "rays.py", "import raycheck_candidate as rc\nrc.run('few', nearest=print)\n");
+  const Outcome tried = try_it(grading, rubric, submission);
+  EXPECT_EQ(tried.exit_code, 1) << tried.err;
+  expect_parts(tried.out, {"fails 6 of 6 cases (pixel_point() is missing: write it)",
+                           "fails 6 of 6 cases (pixel_ray() is missing: write it)"});
+  const std::string page = contents(grading.path("tried/few/report.html"));
+  expect_parts(page, {"Hint: Write pixel_point(), and add it", "Hint: Write pixel_ray(), and add"});
+  for (const char* part : {"Print P.", "Print D."}) EXPECT_FALSE(has(page, part)) << part;
+}
+
+TEST(TryCommand, writes_no_placeholder_to_the_page_of_a_program_that_does_not_compile) {
+  const Grading grading;
+  const std::string rubric = grading.write("rubric.toml", kAsTheyCome + kFewPictures);
+  const std::string submission =
+      grading.hand_in("broken", "rt.cpp", "#error this does not compile\nint main() {}\n");
+  EXPECT_EQ(try_it(grading, rubric, submission).exit_code, 1);
+  const std::string page = contents(grading.path("tried/broken/report.html"));
+  expect_parts(page, {"Why your submission could not be judged", "this does not compile"});
+  EXPECT_FALSE(has(page, "{program}"));
+}
 
 /// Tries a submission with a mistake, and runs in a copy of its folder the report's commands for
 /// the first failing item.
@@ -118,7 +165,7 @@ void expect_the_commands_to_work(const Grading& grading, const std::string& hand
 TEST(Home, CommandsBuildAndRepeatAsGraded) {
   const std::vector<std::map<std::string, std::string>> hand_ins = {
       {{"rt.cpp", renderer_in_c()}},
-      // By a Makefile in a folder below, without leaving the folder.
+      // Built by a Makefile, from sources in a folder below.
       {{"src/rt.c", renderer_in_c()},
        {"src/Makefile", "rt: rt.c\n\tgcc -O1 -o rt rt.c\n"},
        {"readme.txt", "see src\n"}},
@@ -134,7 +181,7 @@ TEST(Home, CommandsBuildAndRepeatAsGraded) {
     for (const auto& [name, text] : files) grading.write("mine/" + name, text);
     expect_the_commands_to_work(grading, grading.path("mine"), "[driver]\npreset = \"B\"\n");
   }
-  // With a form of driver files that the command must name.
+  // The command must name the form of driver files.
   expect_the_commands_to_work(Grading(), RAYCHECK_SOURCE_DIR "/tests/submissions/class/kofi");
 }
 

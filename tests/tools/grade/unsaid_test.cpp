@@ -1,4 +1,4 @@
-// Cases that a wrapper's scene format cannot express leave the total; only the instructor's wrapper
+// Cases that a wrapper's scene format cannot express do not count; only the instructor's wrapper
 // can declare them.
 
 #include "tests/tools/grade/grading.h"
@@ -6,7 +6,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// wrap.sh PROGRAM... SCENE IMAGE, whose format has only symmetric bounds. It passes on its
+/// wrap.sh PROGRAM... SCENE IMAGE: a wrapper whose format has only symmetric bounds. It returns its
 /// program's exit code.
 constexpr const char* kWrapper = R"(while [ $# -gt 2 ]; do program="$program $1"; shift; done
 awk '$1 == "bounds" && $2 != -$3 { exit 1 }' "$1" || exit 77
@@ -57,9 +57,9 @@ TEST_F(Unsaid, cases_leave_the_total_and_every_page_shows_their_number) {
   EXPECT_EQ(item(result, "none")["unsaid"], 1);
   EXPECT_EQ(item(result, "none")["state"], "not asked");
   EXPECT_EQ(item(result, "none")["reason"]["kind"], "cannot be said");
-  const std::string kAll = "2 of 3 cases cannot be written in its input format";
+  const std::string kAll = "2 of 3 cases cannot be written in the input format of the program";
   expect_parts(grading.file("right", "report.html"),
-               {kAll, "; 1 further case cannot be written in its input format"});
+               {kAll, "; 1 further case cannot be written in the input format of the program"});
   expect_parts(contents(grading.path("out/index.html")), {kAll});
   expect_parts(outcome_.out, {kAll});
 }
@@ -67,7 +67,7 @@ TEST_F(Unsaid, cases_leave_the_total_and_every_page_shows_their_number) {
 TEST_F(Unsaid, cases_cannot_be_claimed_by_the_submission) {
   grade("degenerate", "sh " + wrapper_ + " {program}", kLimitsOnly);
   EXPECT_EQ(points("degenerate"), (std::vector<double>{0, 10})) << "the wrapper passes its code on";
-  // Also if it lies in the folder where the command runs.
+  // This holds even if the wrapper is in the folder where the command runs.
   const std::string last_two = "while [ $# -gt 2 ]; do shift; done; exec python3 rt.py $1 $2";
   for (const std::string& words :
        {std::string("{program}"), "sh -c '" + last_two + "' sh {program}"}) {

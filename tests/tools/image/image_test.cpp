@@ -32,7 +32,8 @@ class Written {
   ReadPicture picture_;
 };
 
-/// The nearest sphere of a pixel, by only the exact ray, and the pixel's place in the picture.
+/// The nearest sphere of a pixel, computed only by the exact ray, and the pixel's place in the
+/// picture.
 struct Seen {
   std::int64_t column, line;
   std::optional<NearestSphere> sphere;
@@ -57,11 +58,12 @@ std::string example(const std::string& name) {
   return RAYCHECK_SOURCE_DIR "/scene/examples/" + name;
 }
 
-/// Rays of which one touches a sphere exactly, between two that miss and meet it.
+/// A scene in which one ray touches a sphere exactly, between a ray that misses it and a ray that
+/// meets it.
 const std::string kTangent =
     camera_text(65, 33) + sphere_text("1, 0, -5", "1") + sphere_text("1, 0, -5", "0.5");
 
-/// Degrees around the circle of colours.
+/// The hue of a colour, in degrees.
 double hue(const std::array<std::uint8_t, 3>& colour) {
   const double x = colour[0] - 0.5 * colour[1] - 0.5 * colour[2];
   const double y = std::sqrt(0.75) * (double(colour[1]) - double(colour[2]));
@@ -164,7 +166,7 @@ TEST(Image, does_not_depend_on_the_number_of_threads) {
 }
 
 TEST(Image, does_not_depend_on_the_bands) {
-  // 4200 rows of 17 pixels are two bands, 17 rows of 4200 pixels too.
+  // 4200 rows of 17 pixels are two bands, and so are 17 rows of 4200 pixels.
   for (const char* size : {"17,4200", "4200,17"}) {
     scene::Scene scene = scene::load_scene(example("ten-spheres.toml")).scene;
     const Written written(example("ten-spheres.toml") + " --size " + size, ".ppm");
@@ -181,7 +183,7 @@ TEST(Image, does_not_depend_on_the_bands) {
   }
 }
 
-/// Files of unfinished pictures with at least this number of bytes.
+/// The number of files of unfinished pictures that have at least this many bytes.
 std::size_t parts_left(std::uintmax_t least_bytes = 0) {
   std::size_t left = 0;
   for (const auto& entry : fs::directory_iterator(testing::TempDir())) {
@@ -224,7 +226,7 @@ TEST(Image, replaces_an_older_picture_and_warns_about_the_scene) {
       temporary_file("foggy.txt", contents(example("driver-a.txt")) + "fog 1\n");
   const Outcome result = run("image " + scene + " --dialect A --out " + path, 0);
   expect_parts(result.err, {"warning", "fog: unknown keyword, ignored"});
-  EXPECT_TRUE(has(result.out, "written to " + path));
+  EXPECT_TRUE(has(result.out, "wrote " + path));
   EXPECT_EQ(read_picture(path).width, 16);
 }
 

@@ -12,7 +12,7 @@ const std::vector<std::string> kItems = {"view",      "behind",   "hidden",     
                                          "constants", "far-root", "behind-test", "scaling",
                                          "filter",    "basis",    "quantities"};
 
-/// Spheres of every kind: in view, outside it, behind, hidden, around an origin.
+/// Spheres of every kind: in view, outside the view, behind, hidden, around an origin.
 const std::string kEveryKind = camera_text(41, 31) + sphere_text("0, 0, -10", "3") +
                                sphere_text("100, 0, -10", "3") + sphere_text("0, 0, 10", "3") +
                                sphere_text("0.1, 0, -30", "1") +
@@ -77,8 +77,8 @@ TEST(Plan, counts_what_each_item_leaves_out) {
     EXPECT_GT(one["without_ms"], 0) << kItems[k];
     EXPECT_GT(one["with_plan_ms"], 0) << kItems[k];
   }
-  // Sphere 1 is outside the view, 2 behind, 3 behind sphere 0; 0 and 4 remain, and rays may start
-  // inside 4.
+  // Sphere 1 is outside the view, 2 is behind the eye, 3 is hidden by sphere 0. Spheres 0 and 4
+  // remain; rays may start inside 4.
   std::int64_t pairs = 0;
   for (const json& sphere : report["spheres"]) pairs += sphere["pixels"].get<std::int64_t>();
   for (const auto& [name, left_out] :
@@ -93,7 +93,7 @@ TEST(Plan, counts_what_each_item_leaves_out) {
     EXPECT_EQ(item(report, name)["left_out"], left_out) << name;
   }
   EXPECT_EQ(item(report, "hidden")["why"],
-            "sphere 3: a ray that meets it meets another sphere no later");
+            "sphere 3: every ray that meets it meets another sphere first or at the same point");
   EXPECT_EQ(item(report, "far-root")["of"], 2);
   EXPECT_EQ(item(report, "far-root")["why"], "rays may start inside sphere 4");
   EXPECT_EQ(item(report, "rectangles")["of"], 2 * 41 * 31);
@@ -123,7 +123,7 @@ TEST(Plan, prints_items_and_spheres) {
 
 TEST(Plan, is_empty_for_given_rays) {
   const Outcome result = run("plan scene/examples/lecture-examples.toml", 0);
-  EXPECT_TRUE(has(result.out, "given rays have no computations in common"));
+  EXPECT_TRUE(has(result.out, "no plan: a plan needs a camera"));
   const json report = planned("scene/examples/lecture-examples.toml");
   EXPECT_TRUE(report["no_plan"].is_string());
   EXPECT_TRUE(report["items"].empty());

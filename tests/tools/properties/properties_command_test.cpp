@@ -27,11 +27,11 @@ TEST(PropertiesCommand, reports_the_range_of_each_number_of_a_failure) {
   const json& radius = campaign["ranges"][9];
   expect_values(radius, {{"number", "sphere 0 radius"}, {"by", "samples"}});
   EXPECT_GT(radius["samples"], 64);
-  // It may be anything from 0 on, but for radii next to 0, which are outside of the domain.
+  // The radius may be any number from 0 on, except radii next to 0, which are outside the domain.
   expect_values(radius, {{"least", "0x0p+0"}, {"certified/0", "0x1p-200"}});
   const double greatest = std::stod(radius["greatest"].get<std::string>());
   EXPECT_LE(std::stod(radius["certified"][1].get<std::string>()), greatest);
-  // `check` finds the same with the greatest radius, and not with one twice as large.
+  // `check` finds the same defect with the greatest radius, and none with a radius twice as large.
   const std::string scene = campaign["scene"];
   const auto has_false_hit = [&](double r) {
     std::string other = scene;
@@ -43,8 +43,10 @@ TEST(PropertiesCommand, reports_the_range_of_each_number_of_a_failure) {
   EXPECT_TRUE(has_false_hit(greatest));
   EXPECT_FALSE(has_false_hit(2 * greatest));
   const std::string text = run(asked, 1).out;
-  expect_parts(text, {"    its numbers, varied one at a time:\n      ray 0 origin x: any in [",
-                      "sphere 0 radius: any in [0, ", " samples; certified in [6.22302e-61, "});
+  expect_parts(text,
+               {"    the case's numbers, varied one at a time:\n      ray 0 origin x: every value ",
+                "sphere 0 radius: every value tried in [0, ",
+                " tried; certified for all in [6.22302e-61, "});
   const json right = printed_json("properties --filter class --source rays --intersect cross");
   EXPECT_FALSE(right["campaigns"][0].contains("ranges"));
 }
@@ -73,7 +75,8 @@ TEST(PropertiesCommand, reports_where_shrinking_ended_early) {
                {"# breaks the law class with mine\n", "# shrunk for 7 tries; smaller may exist\n"});
 }
 
-/// A kept case is tried first, breaks the law again, and is mended once a candidate is right on it.
+/// A case in the corpus is tried first and breaks the law again. Once the candidate is right on it,
+/// it is reported as mended.
 TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
   const std::string folder = temporary_folder("kept") + "/corpus";
   EXPECT_FALSE(has(run(kBreaks + "--keep-going 3 --corpus " + folder, 1).out, "corpus:"));
@@ -83,27 +86,27 @@ TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
     EXPECT_EQ(run("check " + files.back() + " --intersect quadratic").exit_code, 1);
   }
   ASSERT_GT(files.size(), 1u);
-  // Its random cases do not break the law.
+  // The random cases do not break the law.
   const std::string again = "properties --filter class --source rays --cases 20 --corpus " + folder;
   const Outcome broken = run(again + " --intersect quadratic", 1);
   expect_parts(
       run(again + " --intersect quadratic --format junit", 1).out,
       {"/corpus/class-direct-quadratic-", "<failure", "breaks the law again (class: false hit)"});
-  // With a baseline that has it, the command passes.
+  // With a baseline that contains it, the command passes.
   const std::string baseline = " --intersect quadratic --baseline " + folder + "/known.txt";
   run(again + baseline + " --update-baseline");
   EXPECT_EQ(run(again + baseline).exit_code, 0);
   std::ofstream(folder + "/known.txt").close();
   expect_parts(broken.out, {" breaks class with direct/quadratic",
                             "corpus: " + std::to_string(files.size()) + " cases, " +
-                                std::to_string(files.size()) + " broken, 0 mended"});
-  EXPECT_TRUE(has(run(again + " --intersect cross", 0).out, " 0 broken, 0 mended"));
+                                std::to_string(files.size()) + " broken, 0 fixed"});
+  EXPECT_TRUE(has(run(again + " --intersect cross", 0).out, " 0 broken, 0 fixed"));
   const std::string text =
       replaced(contents(files[0]), "found with: direct/quadratic", "found with: direct/cross");
   std::ofstream(files[0]) << text;
   const Outcome mended = run(again + " --intersect cross", 0);
   expect_parts(mended.out,
-               {"no longer breaks class with direct/cross: mended", " 0 broken, 1 mended"});
+               {"no longer breaks class with direct/cross: fixed", " 0 broken, 1 fixed"});
   std::ofstream(files[0]) << replaced(text, "# law:", "# low:");
   expect_refused(again, files[0] + ": names no law");
   std::ofstream(files[0]) << "# law: direction\n# pixels: (0, 0) (3, 9)\n"
@@ -137,12 +140,12 @@ TEST(PropertiesCommand, retries_failures_in_a_fresh_process) {
       "properties --candidate source:" + temporary_file("remembers.cpp", text) + " --cases 60", 1);
   expect_parts(
       lines_of(kept.out).front(),
-      {"answers differently, and correctly, when it is asked first: it keeps state between "
+      {"a question that is asked first is answered right: the candidate keeps state between "
        "questions"});
   EXPECT_FALSE(has(kept.out, "no ray ever hits")) << kept.out;
 }
 
-/// On a machine of any speed, the reported number of cases can be repeated.
+/// The reported number of cases can be repeated on a machine of any speed.
 TEST(PropertiesCommand, accepts_a_time_and_reports_the_number_of_cases) {
   const std::string asked = "properties --filter class --source rays --intersect cross ";
   const auto [exit_code, timed, err] = run(asked + "--for 1s");

@@ -1,6 +1,6 @@
-// Certificates of critical decisions, wrong on purpose: tools/verify_certificates.py confirms the
-// witness of each that is excused, and proves again for each defect that nothing nearby excuses it.
-// RAYCHECK_DECISIONS is the number of each that are tried.
+// Certificates of critical decisions that are wrong on purpose. tools/verify_certificates.py
+// confirms the witness of each excused decision, and proves again for each defect that no nearby
+// inputs excuse it. RAYCHECK_DECISIONS sets the number of decisions of each kind.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
@@ -30,7 +30,7 @@ scene::Conventions any_conventions(Random& random) {
   return conventions;
 }
 
-/// A sphere that the ray almost touches, or almost starts on.
+/// A sphere that the ray almost touches, or on whose surface it almost starts.
 Sphere critical_sphere(Random& random, const ExactRay& ray) {
   Sphere sphere = reference::random_sphere(random, Sizes::kOrdinary);
   const auto enclosed = ray.enclose(128);
@@ -41,7 +41,8 @@ Sphere critical_sphere(Random& random, const ExactRay& ray) {
   return sphere;
 }
 
-/// A sphere so far that a change of the inputs moves it by about its radius, nearly ahead of a ray.
+/// A sphere nearly ahead of a ray, so far away that a change of the inputs moves it by about its
+/// radius.
 Sphere far_sphere(Random& random, const ExactRay& ray, double change) {
   Sphere sphere;
   sphere.radius = random.between(0.1, 10);
@@ -55,7 +56,7 @@ Sphere far_sphere(Random& random, const ExactRay& ray, double change) {
   return sphere;
 }
 
-/// The opposite of a decision, or something close to it.
+/// A wrong answer: the opposite of a decision, or an answer close to that.
 std::optional<double> wrong_answer(Random& random, const ExactRay& ray, const Sphere& sphere,
                                    const scene::Conventions& conventions) {
   const Intersection at = ray.intersect(sphere, conventions.root);
@@ -75,7 +76,7 @@ std::optional<double> wrong_answer(Random& random, const ExactRay& ray, const Sp
   return std::max(0.0, s);
 }
 
-/// Spheres that the ray meets nearly at once, or nearly touches.
+/// Spheres that the ray meets nearly at the same s, or nearly touches.
 std::vector<Sphere> contending_spheres(Random& random, const ExactRay& ray) {
   const scene::Point3 from = ray.rounded_origin();
   const scene::UnitVector3 along = ray.rounded_direction();
@@ -116,7 +117,7 @@ Candidate that_answers(const std::optional<double>& s) {
   return candidate;
 }
 
-/// The wrong decisions of a case, as certificates by their standing.
+/// Certificates of the wrong decisions of a case, by their standing.
 struct Certified {
   std::vector<Json> excused, defects;
   std::size_t undecided = 0;
@@ -178,7 +179,7 @@ Certified critical_decisions(Kind kind, std::size_t of_each) {
       if (certified.excused.size() >= of_each) break;
       continue;
     }
-    // Far spheres are for single precision, too.
+    // Far spheres are judged in single precision, too.
     const double roundoff = kind == Kind::kFar && random.one_in(2) ? 0x1p-24 : 0x1p-53;
     const Sphere sphere =
         kind == Kind::kFar ? far_sphere(random, ray, 16 * roundoff) : critical_sphere(random, ray);
@@ -212,7 +213,7 @@ void expect_excused_or_defects_for_anyone(Kind kind, std::size_t of_each) {
   ASSERT_EQ(certified.defects.size(), of_each);
   EXPECT_TRUE(kind != Kind::kGiven || certified.undecided == 0);
   expect_confirmed(certified.defects, "proved wrong for all inputs nearby");
-  // Excused decisions that claim to be defects are not proved.
+  // Certificates that claim that excused decisions are defects are not confirmed.
   for (Json& one : certified.excused) one["excuse"] = nullptr;
   expect_confirmed(certified.excused, "not proved wrong for all inputs nearby");
 }

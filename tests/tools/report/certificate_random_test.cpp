@@ -1,7 +1,6 @@
-// Certificates of the laws' discrepancies on random cases, confirmed by
-// tools/verify_certificates.py, which is independent of this project. The candidates are the
-// methods, with a bound of 0 so that every rounding is a discrepancy, and the mutants, which are
-// wrong in all ways.
+// tools/verify_certificates.py, which shares no code with raycheck, confirms certificates of the
+// laws' discrepancies on random cases. The candidates are the methods, with a bound of 0 so that
+// every rounding is a discrepancy, and the mutants, which are wrong in all ways.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_source.h"
@@ -17,7 +16,7 @@ namespace {
 
 using namespace properties;
 
-/// The number of a law's discrepancies that are examined: more than a law has quantities.
+/// The number of a law's discrepancies that are examined; a law has fewer quantities.
 constexpr std::size_t kMostLookedAt = 12;
 
 std::vector<Candidate> all_candidates() {
@@ -31,8 +30,8 @@ std::vector<Candidate> all_candidates() {
   return result;
 }
 
-/// Certificates of the worst discrepancy in each quantity of each law that judges values and has
-/// this in its name.
+/// Adds certificates of the worst discrepancy in each quantity, for each law that judges values and
+/// has this text in its name.
 void certify(const Case& the_case, const Candidate& candidate, std::string_view filter,
              std::vector<Json>& certificates) {
   properties::Trial trial(the_case, candidate, {.max_error = 0});
@@ -61,7 +60,8 @@ std::vector<Json> certificates_of(const std::vector<Candidate>& candidates,
   return certificates;
 }
 
-/// Confirmed ones by quantity; only refusals, which state no value, may be left uncertified.
+/// The number of confirmed certificates by quantity. Only refusals, which state no value, may be
+/// uncertified.
 std::map<std::string, int> confirmed_of(const std::vector<Json>& certificates) {
   const std::vector<std::string> lines = tests::script_lines(certificates);
   std::map<std::string, int> confirmed;
@@ -90,7 +90,7 @@ TEST_P(EachSource, HasItsDiscrepanciesConfirmedWithoutTheProgram) {
   const auto confirmed =
       confirmed_of(certificates_of(all_candidates(), *source, source->has_camera ? 1 : 6));
   for (const std::string& quantity : kOfIntersections) {
-    // A planet is the only sphere: its class determines the nearest sphere.
+    // A planet is the only sphere, so its hit class determines the nearest sphere.
     if (quantity == "nearest sphere" && source->name == "horizon") continue;
     EXPECT_GE(confirmed.contains(quantity) ? confirmed.at(quantity) : 0, 1) << quantity;
   }

@@ -18,7 +18,8 @@ void add_one(ordered_json& integer) {
   integer = digits;
 }
 
-/// A number to put at a place of a certificate, or none: then the integer there grows by one.
+/// A place in a certificate, and the number to put there; if there is no number, the integer there
+/// grows by one.
 struct Tampering {
   const char* where;
   std::string value = {};
@@ -104,7 +105,7 @@ TEST(TamperedCertificates, of_the_nearest_sphere_are_refuted) {
                                {"/proof/spheres/0/root", "null"}});
 }
 
-/// Of a scene, the first certificate of a quantity that has a witness.
+/// The first certificate of a quantity on a scene that has a witness.
 ordered_json with_witness(const std::string& scene, const std::string& quantity) {
   for (auto& one : certificates_of(scene + " --all --top 30")) {
     const ordered_json& excuse = one.at("excuse");

@@ -1,4 +1,4 @@
-// --certificates, and the script that checks certificates without the program.
+// The option --certificates, and the script that checks certificates without raycheck.
 
 #include "tests/tools/report/certificates.h"
 
@@ -136,7 +136,7 @@ TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_not_a_certificat
       {std::string(100000, '['), "it is nested too deeply"},
       {"{\"ray\":" + std::string(5000, '9') + "}",
        "an integer of more than 19 digits is not a string"}};
-  // A power of two with such an exponent would not be computed in a lifetime.
+  // Computing a power of two with such an exponent would take longer than a lifetime.
   for (const auto& [where, value] : std::vector<std::pair<std::string, std::string>>{
            {"/pixel", "true"},
            {"/wrong", "1.5"},

@@ -7,12 +7,12 @@ namespace raycheck::tests {
 using nlohmann::ordered_json;
 
 // Scenes whose textbook discrepancies are certified here.
-inline const std::string kFalseHit = "tests/regressions/far-point-textbook-sees-a-hit.toml";
+inline const std::string kFalseHit = "tests/regressions/far-point-textbook-finds-a-hit.toml";
 inline const std::string kLostDigits = "tests/regressions/far-sphere-textbook-loses-digits.toml";
 inline const std::string kNearestByAnUlp = "tests/regressions/nearest-by-one-ulp.toml";
 inline const std::string kFarSphere = "scene/examples/far-sphere.toml";
 
-/// The certificates of `check ARGUMENTS`; `report`, if given, receives its output.
+/// The certificates of `check ARGUMENTS`; `report`, if not null, receives the output.
 inline std::vector<ordered_json> certificates_of(const std::string& arguments,
                                                  std::string* report = nullptr) {
   const std::string path = temporary_file("certificates.jsonl", "");
@@ -34,7 +34,8 @@ inline Outcome script_on(const std::vector<ordered_json>& certificates) {
   return run_python("tools/verify_certificates.py " + path);
 }
 
-/// The output of the script if it refutes nothing: a line for each certificate, and the counts.
+/// The lines that the script prints if it refutes nothing: one for each certificate, and the
+/// counts.
 inline std::vector<std::string> script_lines(const std::vector<ordered_json>& certificates) {
   const Outcome outcome = script_on(certificates);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
@@ -43,7 +44,7 @@ inline std::vector<std::string> script_lines(const std::vector<ordered_json>& ce
   return lines;
 }
 
-/// The first certificate of a quantity; throws std::runtime_error if there is no such certificate.
+/// The first certificate of a quantity; throws std::runtime_error if there is none.
 inline ordered_json of_quantity(const std::vector<ordered_json>& certificates,
                                 const char* quantity) {
   for (const ordered_json& one : certificates) {

@@ -1,5 +1,5 @@
-// The output of every command under --format json, compared with docs/json.md and checked for
-// consistency; and third-party texts in JSON and CSV.
+// Compares the output of every command with --format json with docs/json.md, and checks its
+// consistency. Tests also texts of others in JSON and CSV.
 
 #include "tools/report/json.h"
 
@@ -10,7 +10,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// A command's reports, which together have every key that it can print.
+/// Reports of a command that together have every key that it can print.
 struct Reports {
   std::string command;
   std::vector<std::string> arguments;
@@ -79,13 +79,13 @@ void walk(const json& report, const std::function<void(const json&)>& visit) {
   for (const json& part : report) walk(part, visit);
 }
 
-/// A text's words, each between spaces.
+/// The words of a text, each between spaces.
 std::string words_of(const std::string& text) {
   return " " + std::regex_replace(text, std::regex("\\W"), " ") + " ";
 }
 
-/// The words between backquotes on the page, by sections: under the command's name in the heading,
-/// or under "" for all commands.
+/// The words between backquotes on the page, by the command in the heading of their section; "" is
+/// for all commands.
 std::map<std::string, std::string> documented() {
   static const std::regex span("`([^`]*)`"), heading("## `(\\w+).*");
   std::map<std::string, std::string> words;

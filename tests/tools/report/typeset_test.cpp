@@ -32,7 +32,7 @@ TEST(Typeset, matches_handwritten_formulas) {
             "<mo>&#x2212;</mo><mfrac><mrow><msqrt><mn>3</mn></msqrt><mo>&#x2062;</mo><msqrt><mrow>"
             "<msqrt><mn>2</mn></msqrt><mo>&#x2212;</mo><mn>1</mn></mrow></msqrt></mrow><mn>5</mn>"
             "</mfrac></mrow>");
-  // Powers of two are shown as such.
+  // Powers of two are shown as powers.
   const ClosedFormRay far(scene::Ray{{0x1p-1074, -3 * 0x1p60, 0x1p31}, {1, 0, 0}});
   EXPECT_EQ(mathml(far.origin()[0]),
             "<mfrac><mn>1</mn><msup><mn>2</mn><mn>1074</mn></msup></mfrac>");
@@ -46,8 +46,8 @@ TEST(Typeset, writes_a_single_form_without_parentheses) {
   EXPECT_EQ(mathml(std::vector<ClosedForm>(1)), "<mn>0</mn>");
 }
 
-/// Digits that suffice for closed forms of ordinary doubles, and for those of doubles of all sizes,
-/// whose squares may cancel.
+/// The digits that suffice for closed forms of ordinary doubles, and for those of doubles of all
+/// sizes, whose squares may cancel.
 constexpr int kOrdinaryDigits = 600, kMostDigits = 5000;
 
 /// A typeset form, and the doubles nearest to its value.
@@ -82,7 +82,7 @@ bool has_nested_root(const ClosedForm& form) {
   });
 }
 
-/// Typeset numbers that are known correctly rounded.
+/// Typeset numbers whose correctly rounded values are known.
 class Numbers {
  public:
   void add(const ClosedForm& form, double value) { written_.push_back({mathml(form), {value}}); }
@@ -137,7 +137,7 @@ TEST(Typeset, of_random_cameras_has_the_rounded_value) {
   all.expect_values();
 }
 
-/// This number of rays with numbers of these sizes.
+/// Checks this number of rays with numbers of these sizes.
 void expect_values_of_random_rays(int count, const std::vector<Sizes>& all_sizes, int least_hits,
                                   int digits) {
   Random random(2);

@@ -1,4 +1,5 @@
-// Campaigns in shards: however the units are distributed, merge gives the report of one run.
+// Campaigns in shards: in whatever way the units are distributed, `merge` gives the report of one
+// run.
 
 #include <fmt/format.h>
 
@@ -64,7 +65,7 @@ class ShardsOf : public testing::TestWithParam<Sharded> {
   }
 };
 
-/// With any number of workers, in any order, some units twice.
+/// There may be any number of workers, in any order, and some units twice.
 TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
   const auto& [name, line, exit_code] = GetParam();
   const std::string twice = fresh_folder(name + "_twice");
@@ -89,7 +90,7 @@ TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
   }
 }
 
-/// If it is killed repeatedly, it resumes with the missing units.
+/// A shard that is killed repeatedly resumes with the missing units.
 TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_repeat_no_unit) {
   const auto& [name, line, exit_code] = GetParam();
   const std::string folder = fresh_folder(name + "_killed");
@@ -156,7 +157,7 @@ TEST_F(Merge, names_a_truncated_or_changed_unit) {
   const std::string whole = contents(unit);
   std::string tampered = whole;
   tampered[whole.size() / 2] ^= 1;
-  // Not read at all.
+  // Such a file is not read.
   fs::resize_file(unit, std::uintmax_t{20} << 30);
   expect_refused("merge " + folder,
                  unit.string() + ": is larger than 256 MiB, the limit for a unit");
@@ -177,9 +178,9 @@ TEST_F(Merge, does_not_overwrite_its_input) {
   for (const std::string& written :
        {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
         "--report json=" + folder + "//./campaign.json"}) {
-    expect_refused("merge " + folder + " " + written, "a campaign's folder of units");
+    expect_refused("merge " + folder + " " + written, "the folder of a campaign's units");
   }
-  expect_refused("merge " + folder + "/ --report json=" + file, "a campaign's folder of units");
+  expect_refused("merge " + folder + "/ --report json=" + file, "the folder of a campaign's units");
   EXPECT_EQ(contents(file), whole);
   run("merge " + folder, 0);
 }
@@ -195,12 +196,13 @@ TEST_F(Merge, names_files_of_another_campaign) {
   fs::copy_file(units_in(other)[0], fs::path(folder) / units_in(other)[0].filename());
   expect_refused("merge " + folder,
                  units_in(other)[0].filename().string() + ": does not belong to the campaign");
-  // Under the name of a unit of this campaign.
+  // The file has the name of a unit of this campaign.
   fs::remove(fs::path(folder) / units_in(other)[0].filename());
   fs::copy_file(units_in(other)[0], units_in(folder)[0], fs::copy_options::overwrite_existing);
   expect_refused("merge " + folder, "is truncated or was changed");
   expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
-  expect_refused("merge tests", "tests: has no units of a campaign");
+  expect_refused("merge tests",
+                 "tests: is not a folder that a campaign wrote: campaign.json is missing");
   // A folder named like an option.
   expect_refused("merge format", "raycheck: format: there is no such folder");
 }
@@ -214,11 +216,11 @@ TEST_F(Merge, identifies_candidates_by_content) {
   run(asked + source + " --shard 1/1 --out " + its, 0);
   std::ofstream(source, std::ios::app) << "// another\n";
   expect_refused("merge --run-candidates " + its, "holds units of another version of " + source);
-  // A header in a folder counts, too.
+  // A header in the folder counts, too.
   const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
   fs::create_directories(sources + "/deeper");
   std::ofstream(sources + "/deeper/mine.h") << "// mine\n";
-  // However it is included: the compiler lists the files that it read.
+  // It may be included in any way, because the compiler lists the files that it read.
   std::ofstream(sources + "/mine.cpp") << "#define MINE \"deeper/mine.h\"\n"
                                        << text << "%:/**/include MINE\n";
   for (const std::string& named : {sources, sources + "/mine.cpp"}) {
@@ -239,7 +241,7 @@ TEST_F(Merge, refuses_options_that_shards_never_write) {
     nlohmann::json campaign = whole;
     campaign["command"] = command;
     for (const std::string& one : arguments) campaign["arguments"].push_back(one);
-    // With the matching digest.
+    // The digest matches the change.
     const tools::CampaignIdentity forged = {command, campaign["arguments"], campaign["version"],
                                             campaign["files"]};
     if (has_digest) campaign["digest"] = forged.digest();
@@ -267,7 +269,7 @@ TEST_F(Merge, refuses_options_that_shards_never_write) {
   EXPECT_EQ(contents(victim), "mine");
 }
 
-/// A candidate that only the folder names.
+/// Only the folder names the candidate.
 TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
   const std::string folder = fresh_folder("runs"), ran = fresh_folder("ran");
   const std::string candidate =
@@ -282,32 +284,33 @@ TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
                {"once all are done: raycheck merge " + folder + " --run-candidates"});
   run(asked + " --sandbox none --i-know --shard 2/2 --out " + folder, 0);
   fs::remove(ran);
-  const std::string told =
+  const std::string warning =
       folder + ": its campaign runs candidates: raycheck properties --filter class --cases 20";
   const Outcome refused = run("merge --sandbox none --i-know " + folder, 2);
   expect_parts(refused.err,
-               {told, "'" + candidate + "'", "add --run-candidates if you trust them"});
+               {warning, "'" + candidate + "'", "add --run-candidates if you trust them"});
   EXPECT_FALSE(fs::exists(ran));
   const Outcome merged = run("merge --run-candidates --sandbox none --i-know " + folder, 0);
-  EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + told), 0u) << merged.err;
+  EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + warning), 0u) << merged.err;
   EXPECT_EQ(merged.out, whole.out);
   EXPECT_TRUE(fs::exists(ran));
 }
 
-/// A candidate that hangs on some cases, whatever the earlier questions and the number of threads.
+/// The candidate hangs on some cases. This depends neither on earlier questions nor on the number
+/// of threads.
 TEST(Shards, with_time_outs_merge_to_the_report_of_one_run) {
   const std::string asked =
-      "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' "
+      "properties --candidate 'command:python3 tests/candidates/sometimes_hangs.py' "
       "--timeout 0.5 --filter class --source rays --source distance --cases 100 --format json";
   const std::string whole = run(asked + " --threads 1", 1).out;
   EXPECT_EQ(run(asked + " --threads 3", 1).out, whole);
-  const std::string folder = fresh_folder("silent");
+  const std::string folder = fresh_folder("hangs");
   for (const int k : {3, 1, 2}) run(fmt::format("{} --shard {}/3 --out {}", asked, k, folder), 0);
   EXPECT_EQ(run("merge --run-candidates --format json " + folder, 1).out, whole);
 }
 
 /// Each request without a reply takes the whole time limit, so only a few are made, although there
-/// are tens of laws and sources.
+/// are many laws and sources.
 TEST(Shards, drop_a_candidate_that_never_replies) {
   const std::string starts = fresh_folder("starts");
   const std::string hangs = temporary_file(
@@ -323,11 +326,11 @@ TEST(Shards, drop_a_candidate_that_never_replies) {
 }
 
 TEST(Shards, are_set_by_schedulers) {
-  struct Told {
+  struct Scheduler {
     std::vector<std::pair<const char*, std::string>> variables;
-    std::string shard, said;
+    std::string shard, message;
   };
-  const std::vector<Told> all = {
+  const std::vector<Scheduler> all = {
       {{{"SLURM_ARRAY_TASK_ID", "5"},
         {"SLURM_ARRAY_TASK_COUNT", "3"},
         {"SLURM_ARRAY_TASK_MIN", "4"}},
@@ -347,17 +350,18 @@ TEST(Shards, are_set_by_schedulers) {
       {{{"CI_NODE_INDEX", "1"}, {"CI_NODE_TOTAL", "2"}},
        "--shard 2/5",
        "shard 2 of 5 (--shard 2/5)"}};
-  for (const Told& told : all) {
+  for (const Scheduler& scheduler : all) {
     std::vector<std::unique_ptr<Variable>> set;
-    for (const auto& [name, value] : told.variables)
+    for (const auto& [name, value] : scheduler.variables)
       set.push_back(std::make_unique<Variable>(name, value));
     const Outcome outcome =
-        run(fmt::format("{} {} --out {}", kAsked, told.shard, fresh_folder("told")), 0);
-    EXPECT_EQ(lines_of(outcome.err).front(), "raycheck: " + told.said);
+        run(fmt::format("{} {} --out {}", kAsked, scheduler.shard, fresh_folder("schedulers")), 0);
+    EXPECT_EQ(lines_of(outcome.err).front(), "raycheck: " + scheduler.message);
     EXPECT_EQ(outcome.out, "");
   }
-  expect_parts(run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("told"), 0).err,
-               {"--format has no effect here: give it to raycheck merge"});
+  expect_parts(
+      run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("schedulers"), 0).err,
+      {"--format has no effect here: give it to raycheck merge"});
   // Without --out the variables are ignored.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
@@ -431,12 +435,12 @@ TEST(Units, that_contradict_each_other_are_named) {
   expect_parts(thrown_by([&] { both.read(0); }), {"contradict each other", a, b});
 }
 
-/// A shard given an option that is in neither table would fail.
+/// A shard with an option that is in neither table would fail.
 TEST(Units, depend_on_listed_options_only) {
   std::set<std::string> known = {"--help",   "--out",     "--shard", "--replay",
                                  "--target", "--package", "--probe", "--for"};
-  for (const tools::NamedOption& one : tools::kReportOptions) known.insert(one.name);
-  for (const tools::NamedOption& one : tools::kUnitOptions) known.insert(one.name);
+  known.insert(std::begin(tools::kReportOptions), std::end(tools::kReportOptions));
+  known.insert(std::begin(tools::kUnitOptions), std::end(tools::kUnitOptions));
   const std::regex option("\\n +(?:-[a-z],)?(--[a-z-]+)");
   for (const char* command : {"properties", "stress", "worst", "check", "grade"}) {
     const std::string help = run(std::string(command) + " --help", 0).out;
@@ -462,7 +466,7 @@ TEST(Units, keep_every_bit_of_a_sketch) {
   EXPECT_EQ(again.quantile(0.999), sketch.quantile(0.999));
 }
 
-/// Results with every kind of part and arbitrary changed bytes: at worst they are refused.
+/// Results with every kind of part, and with arbitrary changed bytes, are at worst refused.
 TEST(Units, refuse_bytes_that_are_not_a_result) {
   using Result = std::vector<properties::CampaignPart>;
   properties::CampaignOptions some;
@@ -485,7 +489,7 @@ TEST(Units, refuse_bytes_that_are_not_a_result) {
     EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
                  std::invalid_argument);
   }
-  // A length beyond any memory.
+  // The length exceeds any memory.
   EXPECT_TRUE(is_refused(std::string(8, '\xff') + whole.substr(8)));
   std::mt19937_64 random(1);
   std::size_t refused = 0;

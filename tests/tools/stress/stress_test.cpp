@@ -79,7 +79,7 @@ TEST(StressCommand, has_a_page_with_a_curve_for_every_method_and_family) {
               *textbook.tally(k).condition_quantile(0.999));
     EXPECT_EQ(mine["points"][k]["defects"], properties::defects(textbook.results[k].inside));
   }
-  // Methods have their numbers among all, so that each looks the same in every picture.
+  // Methods are numbered among all methods, so that each looks the same in every picture.
   const auto& series = document.chart->facets[0].series;
   ASSERT_EQ(series.size(), 3u);
   EXPECT_EQ(series[0].number, 0u);
@@ -98,7 +98,7 @@ TEST(StressCommand, and_tradeoff_write_their_pages) {
   }
 }
 
-/// Every family has the first severity, and one of them the last.
+/// Every source has the first severity, and one of them the last.
 TEST(StressCommand, accepts_severities_that_one_family_reaches) {
   const std::string asked = "stress --family distance,scale --method cross --cases 1 --severity ";
   run(asked + "0..20", 0);
@@ -151,7 +151,7 @@ void expect_what_the_report_tells(const json& all, const tools::TradeoffReport& 
   for (std::size_t k = 0; k < report.intersections.size(); ++k) {
     const tools::MethodCost& cost = report.intersections[k];
     const json& mine = all["series"][k];
-    EXPECT_EQ(mine["name"], cost.method.name);
+    EXPECT_EQ(mine["name"], cost.candidate.name);
     const double base = report.intersections[0].batch->median;
     EXPECT_EQ(mine["time"]["ratio"], cost.batch->median / base);
     const json& errors = mine["points"][0]["errors"][0];
@@ -161,7 +161,8 @@ void expect_what_the_report_tells(const json& all, const tools::TradeoffReport& 
   }
 }
 
-/// Of the same cases: none is lost between severities, and none counted twice.
+/// Expects that the severities together have the cases of the whole source: none is lost, and none
+/// is counted twice.
 void expect_source_split_by_severity(const json& facet) {
   for (const json& series : facet["series"]) {
     std::uint64_t decisions = 0;
@@ -176,7 +177,7 @@ void expect_source_split_by_severity(const json& facet) {
     EXPECT_EQ(series["points"][0]["decisions"], decisions);
     EXPECT_EQ(series["points"][0]["errors"][0]["at"][4], largest);
   }
-  // The meaning of severity: the textbook's errors grow with the distance.
+  // Severity has its meaning: the textbook's errors grow with the distance.
   const json& points = facet["series"][0]["points"];
   EXPECT_GT(points[9]["errors"][0]["at"][0], 1000 * points[2]["errors"][0]["at"][0].get<double>());
 }
@@ -187,7 +188,7 @@ TEST(TradeoffPage, HasTheNumbersOfTheReportForEverySource) {
   expect_every_source_and_all_together(chart);
   expect_what_the_report_tells(chart["facets"][0], report);
   expect_source_split_by_severity(chart["facets"][1]);
-  // The front is of those without defects.
+  // Only methods without defects are on the front.
   const json& series = chart["facets"][1]["series"];
   EXPECT_GT(series[0]["points"][0]["defects"], 0);  // the textbook on far spheres
   EXPECT_EQ(series[0]["points"][0]["errors"][0]["front"][3], false);

@@ -11,13 +11,14 @@ json panel_of(const json& scene, int i, int j) {
   return found(scene["panels"], "pixel", json{i, j});
 }
 
-/// The figure of a camera 3 x 3 that looks along -z and of these spheres, everything times `scale`.
+/// The figure of a camera of 3 x 3 pixels that looks along -z, and of these spheres; all lengths
+/// times `scale`.
 json figure_of(double scale, const std::string& spheres) {
   const std::string file = temporary_file("scaled.toml", camera_text(3, 3, scale, scale) + spheres);
   return document_of(file + " --method cross")["scenes"][0]["figure"];
 }
 
-/// The drawing of a ray and a sphere.
+/// The panel of a ray and a sphere.
 json panel_of_given(const std::string& origin, const std::string& direction,
                     const std::string& centre, const std::string& radius) {
   const std::string file =
@@ -61,14 +62,15 @@ TEST(View, subtracts_the_eye_exactly_and_names_roots) {
   EXPECT_FALSE(behind["places"].contains("answer"));
   EXPECT_EQ(behind["places"]["behind"], behind["places"]["near root"]);
   EXPECT_FALSE(panel["microscope"]["hit"].get<bool>());
-  // One root, at (1, 0, 0) from the ray's origin, in a figure whose lengths are the scene's.
+  // There is one root, at (1, 0, 0) from the ray's origin, in a figure whose lengths are the
+  // scene's.
   const json touches = panel_of_given("0, 1, 0", "1, 0, 0", "1, 0, 0", "1")["drawing"];
   expect_values(touches, {{"names", json{{"double root", "double root, s = 1, the answer"}}},
                           {"places/double root", json{1, 0, 0}},
                           {"across", json{0, -1, 0}}});
 }
 
-/// A camera at the origin, near = -1: what joins these places is the frustum.
+/// The camera is at the origin, with near = -1; the lines between these places are the frustum.
 TEST(View, the_frustum_has_its_corners_and_its_names) {
   const std::string sphere = sphere_text("0, 0, -3", "1");
   const json document =
@@ -161,12 +163,12 @@ void expect_which_digits_are_right(const json& scene) {
 
 /// Methods that agree in value, error and standing are listed together; every method is listed.
 void expect_methods_that_agree_share_an_answer(const json& scene) {
-  std::size_t shared = 0, told = 0;
+  std::size_t shared = 0, names = 0;
   for (const json& panel : scene["panels"]) {
     for (const json& step : panel["steps"]) {
       std::set<std::string> contents;
       for (json answer : step["answers"]) {
-        told += answer["names"].size();
+        names += answer["names"].size();
         if (answer["names"].size() > 1) ++shared;
         answer.erase("names");
         EXPECT_TRUE(contents.insert(answer.dump()).second) << answer;
@@ -174,7 +176,7 @@ void expect_methods_that_agree_share_an_answer(const json& scene) {
     }
   }
   EXPECT_GT(shared, 300u);
-  EXPECT_GT(told, 2000u);
+  EXPECT_GT(names, 2000u);
 }
 
 void expect_panels_show_the_methods_that_were_asked_for(const json& all, const json& some) {
@@ -216,8 +218,8 @@ void expect_the_microscope_of_a_miss_says_why_it_is_wide(const json& scene) {
     nearest = std::min(nearest, std::max(std::abs(number(mark["x"])), std::abs(number(mark["y"]))));
   }
   ASSERT_LT(nearest, HUGE_VAL);
-  const std::string told = microscope["sentences"][1];
-  EXPECT_TRUE(has(told, fmt::format("claims is {:.3g} ulp away", nearest)));
+  const std::string sentence = microscope["sentences"][1];
+  EXPECT_TRUE(has(sentence, fmt::format("claims is {:.3g} ulp away", nearest)));
 }
 
 std::uint64_t pixels_of(const json& picture, const std::string& text) {
@@ -261,13 +263,16 @@ std::string renderer(const std::string& mistake) {
   return " --candidate 'renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}'";
 }
 
+/// Of more pixels than one chunk of a picture has.
 TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
-  const std::string ten = resized_example("ten-spheres.toml", 8);
+  constexpr int kSide = 32;
+  constexpr std::uint64_t kPixels = kSide * kSide;
+  const std::string ten = resized_example("ten-spheres.toml", kSide);
   const json right = document_of(ten + renderer("none"))["scenes"][0]["pictures"];
   ASSERT_EQ(right.size(), 3u);
   EXPECT_EQ(right[1]["legend"], right[0]["legend"]);
   EXPECT_EQ(right[1]["png"], right[0]["png"]);
-  EXPECT_EQ(pixels_of(right[2], "correct"), 64u);
+  EXPECT_EQ(pixels_of(right[2], "correct"), kPixels);
   EXPECT_EQ(pixels_of(right[2], "wrong"), 0u);
 
   const json mirrored = document_of(ten + renderer("mirrored"));
@@ -283,14 +288,14 @@ TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
   EXPECT_FALSE(has(mirrored["scenes"][0]["panels"][0]["command"].get<std::string>(), "candidate"));
 
   const json grey = document_of(ten + renderer("grey"))["scenes"][0]["pictures"];
-  EXPECT_EQ(pixels_of(grey[1], "an unknown sphere"), 64 - pixels_of(right[0], "no sphere"));
+  EXPECT_EQ(pixels_of(grey[1], "an unknown sphere"), kPixels - pixels_of(right[0], "no sphere"));
   const json crash = document_of(ten + renderer("crash"));
   ASSERT_EQ(crash["findings"].size(), 1u);
   EXPECT_TRUE(has(crash["findings"][0]["sentence"].get<std::string>(), "image: it exited with 1"))
       << crash["findings"];
   const json& none = crash["scenes"][0]["pictures"];
-  EXPECT_EQ(pixels_of(none[1], "no answer"), 64u);
-  EXPECT_EQ(pixels_of(none[2], "wrong hit class or sphere: defect"), 64u);
+  EXPECT_EQ(pixels_of(none[1], "no answer"), kPixels);
+  EXPECT_EQ(pixels_of(none[2], "wrong hit class or sphere: defect"), kPixels);
 }
 
 TEST(View, explains_each_of_several_candidates_separately) {

@@ -24,7 +24,7 @@ public abstract class RaycheckCandidate {
   public record Pixel(long i, long j) {}
   public record Ray(Vector origin, Vector direction) {}
   public record Sphere(Vector centre, double radius) {}
-  /** At origin + s direction. */
+  /** A hit at the point origin + s direction. */
   public record Hit(double s, Vector point) {}
   /** Words as in scene files: "top-first", "centres", "focal", "smaller", "miss", ... */
   public record Conventions(
@@ -40,7 +40,7 @@ public abstract class RaycheckCandidate {
   public Ray pixelRay(Camera camera, Conventions asked, Pixel pixel) {
     throw new UnsupportedOperationException();
   }
-  /** From E along the same. */
+  /** From E along the unit vector P - E. */
   public Ray focalRay(Camera camera, Conventions asked, Pixel pixel) {
     throw new UnsupportedOperationException();
   }
@@ -48,18 +48,18 @@ public abstract class RaycheckCandidate {
   public Hit intersect(Ray ray, Sphere sphere, Conventions asked) {
     throw new UnsupportedOperationException();
   }
-  /** The index of the sphere that is hit first; -1: none. */
+  /** The index of the sphere that is hit first; -1 if none is. */
   public int nearest(Ray ray, List<Sphere> spheres, Conventions asked) {
     throw new UnsupportedOperationException();
   }
   /** Its declarations: "rows top-first", "t_min 1e-4", and the others of `raycheck list`. */
   public List<String> declared() { return List.of(); }
-  /** The level on which it is judged: "ordinary", "demanding" or "extreme"; null: ordinary. */
+  /** The level at which it is judged: "ordinary", "demanding" or "extreme"; null: ordinary. */
   public String level() { return null; }
   /** The range of lengths; scenes with a nonzero length outside are not judged; null: any. */
   public double[] lengths() { return null; }
   /**
-   * The format that it computes in: "double" or "single"; null: double. With single, all inputs
+   * The format in which it computes: "double" or "single"; null: double. With single, all inputs
    * are floats, and errors are counted in units of float.
    */
   public String precision() { return null; }
@@ -100,7 +100,7 @@ public abstract class RaycheckCandidate {
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.US_ASCII));
     String greeting = lines.readLine();
     if (greeting == null || !greeting.startsWith("raycheck ")) {
-      throw new IOException("not started by raycheck: expected 'raycheck 1' on standard input");
+      throw new IOException("started without raycheck: 'raycheck 1' is missing on standard input");
     }
     StringBuilder said = new StringBuilder("raycheck 1 " + name + "\n");
     for (Name function : FUNCTIONS) {

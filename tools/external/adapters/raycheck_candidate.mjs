@@ -149,7 +149,7 @@ export async function run(name, given) {
   }
   const { returns = "hit" } = given;
   const lines = linesOf(process.stdin);
-  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input");
+  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: started without raycheck: 'raycheck 1' is missing on standard input");
   reply(`${[...said, "ready"].join("\n")}\n`);
   for (let first = await lines.next(); !first.done; first = await lines.next()) {
     const request = await readRequest(lines, first.value);
@@ -157,7 +157,7 @@ export async function run(name, given) {
     let last = `end ${request.id}`;
     try {
       body = await answer(given, returns, request);
-    } catch (error) { // of the functions: its message belongs in the report
+    } catch (error) { // thrown by the functions: its message belongs in the report
       last = `error ${request.id} ${String(error).split(/\s+/).join(" ")}`;
     }
     reply(`${[`reply ${request.id}`, ...body, last].join("\n")}\n`);

@@ -15,7 +15,8 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
     pixel_ray(camera, conventions, pixel) -> (P, direction) from P, direction unit
     focal_ray(camera, conventions, pixel) -> (E, direction) from the eye
     intersect(ray, sphere, conventions) -> (s, point) or None
-    intersect_batch(rays, sphere, conventions) -> a list of the same, one for each ray; instead of intersect
+    intersect_batch(rays, sphere, conventions) -> a list of the same, one for each ray;
+                                                  instead of intersect
     nearest(ray, spheres, conventions) -> index or None
 
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
@@ -28,6 +29,7 @@ number, "point" for a vector, "class" for True or False; None and False are miss
 Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 """
 import collections
+import os
 import sys
 
 Camera = collections.namedtuple(
@@ -42,7 +44,7 @@ _FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "in
 
 
 def _words(*values):
-    """Numbers, and tuples of them, as words: a float's repr reads back as the same float."""
+    """Numbers, and tuples of them, as words. A float's repr reads back as the same float."""
     for value in values:
         if isinstance(value, (tuple, list)):
             yield from _words(*value)
@@ -96,7 +98,7 @@ def _hit(hit, returns):
 
 
 def _truth(value):
-    """True or False, numpy's too."""
+    """Whether a value is True or False, also numpy's."""
     if type(value).__name__ not in ("bool", "bool_"):
         raise TypeError(f"neither True nor False: {value!r}")
     return bool(value)
@@ -129,6 +131,18 @@ def _answer(functions, returns, request):
     return [_line(function(request["camera"], asked, pixel)) for pixel in request["pixels"]]
 
 
+def _place(error):
+    """" (rays.py, line 3)": where the program's code failed, or where it called other code."""
+    folder = os.path.dirname(os.path.abspath(sys.argv[0]))
+    place, step = "", error.__traceback__
+    while step:
+        path = os.path.abspath(step.tb_frame.f_code.co_filename)
+        if os.path.dirname(path) == folder and path != os.path.abspath(__file__):
+            place = f" ({os.path.basename(path)}, line {step.tb_lineno})"
+        step = step.tb_next
+    return place
+
+
 def _statement(key, value):
     """A declaration as a line: words and numbers, one or several."""
     values = value if isinstance(value, (tuple, list)) else [value]
@@ -143,11 +157,13 @@ def run(name="-", **given):
                 if not callable(value) and value is not None}
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
-        sys.exit(f"raycheck_candidate.run: no such function: {', '.join(sorted(unknown))}")
+        sys.exit(f"raycheck_candidate.run: no such function: {', '.join(sorted(unknown))}; "
+                 f"the functions are {', '.join(_FUNCTIONS)}")
     replies, sys.stdout = sys.stdout, sys.stderr
     lines = iter(sys.stdin)
     if not next(lines, "").startswith("raycheck "):
-        sys.exit("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input")
+        sys.exit("raycheck_candidate.run: started without raycheck: "
+                 "'raycheck 1' is missing on standard input")
     said = [f"raycheck 1 {name}"]
     said += dict.fromkeys(f"function {function.removesuffix('_batch')}" for function in functions)
     said += [_statement(key, value) for key, value in declared.items()]
@@ -158,6 +174,6 @@ def run(name="-", **given):
             body = _answer(functions, declared.get("returns", "hit"), request)
             last = f"end {request['id']}"
         except Exception as error:  # of the functions: its message belongs in the report
-            said = " ".join(f"{type(error).__name__}: {error}".split())
+            said = " ".join(f"{type(error).__name__}: {error}{_place(error)}".split())
             body, last = [], f"error {request['id']} {said}"
         print("\n".join([f"reply {request['id']}"] + body + [last]), file=replies, flush=True)

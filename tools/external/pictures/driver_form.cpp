@@ -35,7 +35,7 @@ std::string number_text(double x, DriverNumbers numbers) {
   return {text.data(), end.ptr};
 }
 
-/// A position behind the eye, as far from it as the look-at point, but not the origin.
+/// A position behind the eye, as far from it as the look-at point, but not the world's origin.
 scene::Point3 light_position(const scene::Camera& camera) {
   const auto& E = camera.eye;
   const auto& A = camera.look_at;

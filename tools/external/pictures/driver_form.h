@@ -13,28 +13,28 @@
 
 namespace raycheck::tools {
 
-/// The light of a driver file. The spheres do not reflect it.
+/// The light in a driver file. The spheres do not reflect it.
 enum class DriverLight {
-  kBehind,  ///< One, behind the eye and not at the origin.
+  kBehind,  ///< One light, behind the eye and not at the world's origin.
   kNone
 };
 inline constexpr std::array<std::string_view, 2> kDriverLightNames = {"behind", "none"};
 
-/// The format of numbers in driver files; both read back as the same double.
+/// The format of numbers in driver files. In both formats, a number reads back as the same double.
 enum class DriverNumbers {
-  kShortest,  ///< The shortest decimals, with an exponent where that is shorter.
+  kShortest,  ///< The shortest decimals, with an exponent if that is shorter.
   kFixed      ///< Never an exponent.
 };
 inline constexpr std::array<std::string_view, 2> kDriverNumberNames = {"shortest", "fixed"};
 
-/// The counts of numbers that a sphere's line may have, the likeliest first.
+/// The possible counts of numbers in a sphere's line, the likeliest first.
 inline constexpr std::array<int, 7> kSphereNumbers = {16, 17, 20, 13, 19, 18, 21};
 
 /// A variant of the driver file format.
 struct DriverForm {
   scene::Dialect dialect = scene::Dialect::kB;
   /// The count of numbers in a sphere's line: 13 for centre, radius, ambient, diffuse and specular
-  /// colour; 16 with reflected light; each further value (opacity, index of refraction) adds 1.
+  /// colour; 16 with reflected light; 1 more for each further value (opacity, index of refraction).
   int sphere_numbers = 16;
   std::vector<std::string> extra_lines = {};  ///< Verbatim: "recursionlevel 0".
   DriverLight light = DriverLight::kBehind;
@@ -59,44 +59,45 @@ struct DriverPreset {
 };
 std::span<const DriverPreset> driver_presets();
 
-/// The form with this name, in upper or lower case; empty if unknown.
+/// The form with this name, in upper or lower case; empty if there is none.
 std::optional<DriverForm> driver_preset(std::string_view name);
 
-/// Parses DriverForm::name(): a preset, then parts separated by colons, in any order: the count of
-/// numbers of a sphere, `no-light` (or `light`), `fixed` (or `shortest`), `order=eye,look,...`, and
-/// extra lines, which contain no colon and replace those of the preset.
+/// Parses DriverForm::name(): a preset, followed by parts in any order, separated by colons. A part
+/// is the count of numbers of a sphere, `no-light` (or `light`), `fixed` (or `shortest`),
+/// `order=eye,look,...`, or an extra line without colons. Extra lines replace those of the preset.
 /// Errors: std::invalid_argument naming the part that is wrong.
 DriverForm driver_form(std::string_view name);
 
-/// Which forms of driver files a renderer is given.
+/// The forms of driver files to try on a renderer.
 struct DriverRule {
   DriverForm form = {};
-  /// If the renderer does not read `form`, try the other known ones.
+  /// Whether to try the other known forms if the renderer does not read `form`.
   bool tries_others = true;
-  bool is_asked_for = false;  ///< The user chose `form`; otherwise it is only tried first.
+  bool is_asked_for = false;  ///< Whether the user chose `form`. If not, it is only tried first.
 };
 
 /// Parses a preset, `auto`, or a text for driver_form().
-/// Errors: std::invalid_argument that lists the names, or as driver_form().
+/// Errors: std::invalid_argument, which lists the names or is that of driver_form().
 DriverRule driver_rule(std::string_view name);
 
-/// Reads the table [driver] of a rubric: a `preset` for driver_rule(), and whether `others` are
-/// tried. Errors: scene::SceneFileError naming file, line, field and value.
+/// Reads the table [driver] of a rubric: `preset`, as for driver_rule(), and `others`, whether to
+/// try other forms.
+/// Errors: scene::SceneFileError naming file, line, field and value.
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from);
 
 /// The default form of a dialect.
 DriverForm form_of(scene::Dialect dialect);
 
-/// For a form without extra lines: the same form with the extra lines and sphere numbers of each
-/// year of its dialect, the most complete first. Empty for a form with extra lines.
+/// For a form without extra lines: the form with the extra lines and sphere numbers of each year of
+/// its dialect, the most complete first. Empty for a form with extra lines.
 std::vector<DriverForm> fuller_forms(const DriverForm& form);
 
 /// All known forms: `first`, then similar ones, then the others.
 std::vector<DriverForm> known_forms(const DriverForm& first);
 
-/// A driver file with ambient light 1, a light (if any) that spheres do not reflect, and spheres
-/// with these ambient colours; all other colours are 0. Domain: a scene with a camera, one colour
-/// for each sphere, a form whose `order` is a permutation of the usual one.
+/// A driver file with ambient light 1, the form's light, and spheres with these ambient colours;
+/// all other colours are 0. Domain: a scene with a camera, one colour for each sphere, a form whose
+/// `order` is a permutation of the usual order.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form,
                         const std::vector<Colour>& colours);
 

@@ -12,7 +12,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// If this share of the frame has one colour, that is the background.
+/// If this share of the frame has the same colour, it is the background colour.
 constexpr double kBackgroundShare = 0.9;
 
 /// A frame with this many colours, each on at most this share of it, is a shaded sky.
@@ -22,7 +22,7 @@ constexpr double kShadedShare = 0.3;
 /// The colours along the border of a picture.
 struct Frame {
   std::size_t colours = 0, pixels = 0;
-  Colour most;  ///< The most frequent one.
+  Colour most;  ///< The most frequent colour.
   std::size_t of_most = 0;
 
   explicit Frame(const ReadPicture& picture) {

@@ -14,20 +14,20 @@
 namespace raycheck::tools {
 namespace {
 
-/// The factor by which a second attempt may exceed the rubric's time limit.
+/// A second attempt may take this many times the rubric's time limit.
 constexpr double kMoreTime = 4;
 
-/// With this likeness to the truth the program surely reads the form.
+/// With this likeness to the truth, the program certainly reads the form.
 constexpr double kSurelyAlike = 0.95;
 
-/// In a pure colour the other channels are at most this share of the largest.
+/// In a pure colour, the other channels are at most this share of the largest.
 constexpr double kNoChannel = 0.4;
 
 /// The result of drawing the symmetric scene in one form.
 struct Attempt {
   DriverForm form;
   std::optional<MadePicture> made;
-  Refusal failure;  ///< If there is no picture.
+  Refusal failure;  ///< Why there is no picture.
   Progress progress = Progress::kPicture;
   double like = 0;
   double seconds = 0;
@@ -71,7 +71,7 @@ class DryRunner {
     }
     if (!chosen.made->ended.empty()) {
       found.notes.push_back(
-          fmt::format("it makes its picture, and then it {}", chosen.made->ended));
+          fmt::format("it makes its picture, but then it {}", chosen.made->ended));
     }
     if (!chosen.reads()) {
       if (chosen.made->picture.pixels.empty()) return found;
@@ -112,10 +112,10 @@ class DryRunner {
     if (kind == FailureKind::kTimeUp) return Progress::kTimeUp;
     return kind == FailureKind::kBadReply ? Progress::kNoPicture : Progress::kFailed;
   }
-  /// A single line of output is part of the reason; more lines follow below it.
+  /// Output of one line becomes part of the reason; longer output is shown below the reason.
   static Refusal refusal_of(const ProcessFailure& failure) {
-    if (failure.said().find('\n') == std::string::npos) return {failure.what(), {}};
-    return {failure.why(), failure.said()};
+    if (failure.output().find('\n') == std::string::npos) return {failure.what(), {}};
+    return {failure.why(), failure.output()};
   }
 
   /// Draws the symmetric scene in a form.
@@ -138,7 +138,7 @@ class DryRunner {
       made.failure = refusal_of(failure);
       made.progress = progress_of(failure.kind());
       timed_out_ += made.progress == Progress::kTimeUp ? 1 : 0;
-    } catch (const std::system_error& error) {  // the machine's fault, recorded in surroundings
+    } catch (const std::system_error& error) {  // the machine's fault, which `surroundings` records
       made.failure = {error.what(), {}};
       made.progress = Progress::kNoPicture;
     }
@@ -152,9 +152,9 @@ class DryRunner {
     return rule_.tries_others ? best_of_all(std::move(first)) : first;
   }
 
-  /// If a form is surely read: the fullest similar form that is also read (a program may not
-  /// initialise values that it does not find), or the form itself. Empty if it is not surely read,
-  /// or if repeated pictures differ.
+  /// If a form is certainly read, the fullest similar form that is read, too, or the form itself.
+  /// (A program may not initialise values that it does not find.) Empty if the form is not
+  /// certainly read, or if repeated pictures differ.
   std::optional<Attempt> steady(const Attempt& read) {
     if (!read.is_sure()) return {};
     if (rule_.tries_others && !(rule_.is_asked_for && read.form == rule_.form)) {
@@ -176,13 +176,14 @@ class DryRunner {
       return likeness(again.picture, truth_) >= kSurelyAlike;
     } catch (const ProcessFailure&) {
       return false;
-    } catch (const std::system_error&) {  // the machine's fault, recorded in surroundings
+    } catch (const std::system_error&) {  // the machine's fault, which `surroundings` records
       return false;
     }
   }
 
-  /// The first form that is surely read and drawn alike twice; else the one with the best likeness;
-  /// if no form is read, the one with the most progress. Ties go to the rule's form.
+  /// The attempt in the first form that is certainly read and gives the same picture twice. If
+  /// there is none, that with the best likeness; if no form is read, that with the most progress.
+  /// If several are equal, the rule's form.
   Attempt best_of_all(Attempt best) {
     for (const DriverForm& form : known_forms(rule_.form)) {
       if (form == rule_.form) continue;
@@ -195,7 +196,7 @@ class DryRunner {
     return best;
   }
 
-  /// The form that is read, if the rule allows only one that is not.
+  /// The form that is read if the rule allows only another one, which is not.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
     if (rule_.tries_others || chosen.reads() || chosen.progress == Progress::kTimeUp) {
       return {};
@@ -216,17 +217,18 @@ class DryRunner {
     const auto began = std::chrono::steady_clock::now();
     const Attempt again = attempt(slow.form);
     if (!again.made) return slow.failure;
-    // A program stopped before its CPU time was used up was waiting: it needs wall time.
+    // A program that was stopped before it had used its CPU time was waiting: it needs wall time.
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
     const double needed = again.seconds > seconds ? again.seconds : passed.count();
     found.needed_seconds = needed;
-    return {fmt::format("it needs more time: {:.1f} s for a picture of {} x {} pixels, where "
+    return {fmt::format("it needs more time: {:.1f} s for a picture of {} x {} pixels, but "
                         "reply_seconds allows {}",
                         needed, scene_.camera->width, scene_.camera->height, seconds),
             {}};
   }
 
-  /// The colour in which it draws spheres of a given colour; empty if it fails or draws none.
+  /// The colour in which the program draws spheres of a given colour; empty if it fails or draws
+  /// none.
   std::optional<Colour> shown(const Colour& colour, const DryRun& found) {
     const scene::Scene scene = middle_spheres();
     const std::vector<Colour> colours(scene.spheres.size(), colour);
@@ -241,8 +243,8 @@ class DryRunner {
     }
   }
 
-  /// Finds which channels show red, green and blue. If no sphere is drawn in any colour, the fault
-  /// is another one, and nothing is concluded.
+  /// Finds which channels show red, green and blue. If it draws no sphere in any colour, the fault
+  /// is another one, and nothing follows.
   void find_colours(DryRun& found) {
     constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
     std::array<std::optional<Colour>, 3> seen;
@@ -272,7 +274,7 @@ class DryRunner {
     }
   }
 
-  /// Whether a program that makes no picture makes one of a scene whose numbers are all integers.
+  /// Whether a program that makes no picture of other scenes makes one if all numbers are integers.
   bool fails_by_fractions() {
     constexpr std::size_t kMostForms = 30;
     const scene::Scene whole = whole_scene();
@@ -285,7 +287,7 @@ class DryRunner {
   }
   static Refusal by_fractions(const Attempt& failed) {
     const auto& [why, said] = failed.failure;
-    return {"it reads numbers as integers, and fails where one has a fraction",
+    return {"it reads numbers as integers, and fails if a number has a fraction",
             said.empty() ? why : said};
   }
 
@@ -294,13 +296,13 @@ class DryRunner {
       rendered(renderer_, driver_text(scene, form), {scene.camera->width, scene.camera->height});
       return false;
     } catch (const ProcessFailure& failure) {
-      return failure.kind() != FailureKind::kCannotSay;
+      return failure.kind() != FailureKind::kCannotExpress;
     } catch (const std::runtime_error&) {
       return true;
     }
   }
 
-  /// Drops the light if the program fails because of it: the light is not judged.
+  /// Drops the light if the program fails because of it, since the light is not judged.
   void leave_out_light(DryRun& found) {
     if (!rule_.tries_others || found.driver.light == DriverLight::kNone) return;
     DriverForm unlit = found.driver;

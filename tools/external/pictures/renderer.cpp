@@ -21,18 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads a picture after the program has ended. `most`: its limit on file sizes.
+/// Reads a picture after the program has ended. `most`: the program's limit on file sizes.
 std::string read_made(const fs::path& path, std::uint64_t most) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
-    throw PictureError("its picture {image} is not a file");
+    throw PictureError(fmt::format("its picture {} is not a file", kImageFile));
   }
-  // If the program made it unreadable, that is not the machine's failure.
+  // If the program made the file unreadable, the machine is not at fault.
   chmod(path.c_str(), S_IRUSR | S_IWUSR);
   return file_bytes(path, most);
 }
 
-/// Charges this thread's CPU time to the candidate during its lifetime.
+/// While it exists, this thread's CPU time is charged to the candidate.
 class ComputedFor {
  public:
   explicit ComputedFor(SpentTime& spent) : spent_(spent), before_(computed()) {}
@@ -51,7 +51,8 @@ class ComputedFor {
   double before_;
 };
 
-/// Stems of picture names, in order of preference: from the driver file's name, then common ones.
+/// Stems of picture names, in order of preference: those from the driver file's name, then common
+/// names.
 constexpr std::array<std::string_view, 7> kStems = {"scene", "scene.txt", "out",   "output",
                                                     "image", "picture",   "result"};
 
@@ -66,8 +67,9 @@ struct FoundPicture {
   bool is_named = true;
 };
 
-/// The picture in a program's folder, which contained none before: the one with the requested name;
-/// else one of kStems; else the newest. PPM and PNG files, no links. Empty without a picture.
+/// The picture in a program's folder, which contained no pictures before: the file with the
+/// requested name; if there is none, one with a stem in kStems; otherwise the newest. Only PPM and
+/// PNG files count, and no links. Empty if there is no picture.
 std::optional<FoundPicture> found_picture(const fs::path& folder) {
   const fs::path named = folder / kImageFile;
   if (fs::exists(fs::symlink_status(named))) return FoundPicture{named, true};
@@ -77,7 +79,7 @@ std::optional<FoundPicture> found_picture(const fs::path& folder) {
     fs::path path;
   };
   std::vector<Found> pictures;
-  // A program may leave its own folders unreadable.
+  // The program may have made its folders unreadable.
   std::error_code error;
   fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
                                          error);
@@ -131,9 +133,9 @@ Confined given(Confined program, const std::string& driver) {
   return program;
 }
 
-/// Whether the wrapper exits with kCannotSay for this driver file, too.
+/// Whether the wrapper exits with kCannotExpress for this driver file, too.
 bool cannot_say(const std::optional<Confined>& wrapper, const std::string& driver) try {
-  return wrapper && Process(given(*wrapper, driver)).finish() == kCannotSay;
+  return wrapper && Process(given(*wrapper, driver)).finish() == kCannotExpress;
 } catch (const ProcessFailure& failure) {
   if (failure.kind() == FailureKind::kSystem) throw;
   return false;
@@ -152,7 +154,7 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
   }
   const auto found = found_picture(process.folder());
   const std::string said = process.excerpt();
-  // A complete picture counts, however the program ended.
+  // A complete picture counts even if the program ended with an error.
   if (found && (!failure || failure->kind() == FailureKind::kEnded)) {
     const ComputedFor reading(*program.spent);
     try {
@@ -163,15 +165,18 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
       if (!failure) throw ProcessFailure(FailureKind::kBadReply, error.what(), said);
     }
   }
-  if (code == kCannotSay && cannot_say(renderer.wrapper, driver)) {
-    throw ProcessFailure(FailureKind::kCannotSay, "its input format cannot express the scene");
+  if (code == kCannotExpress && cannot_say(renderer.wrapper, driver)) {
+    throw ProcessFailure(FailureKind::kCannotExpress, "its input format cannot express the scene");
   }
   if (failure) {
     throw ProcessFailure(
         failure->kind(),
-        fmt::format("it {}{}", failure->why(), limit_text(process.said(), program.limits)), said);
+        fmt::format("it {}{}", failure->why(), limit_text(process.error_output(), program.limits)),
+        said);
   }
-  throw ProcessFailure(FailureKind::kBadReply, "it made no picture {image}", said);
+  throw ProcessFailure(
+      FailureKind::kBadReply,
+      fmt::format("it exited with 0, but did not write its picture, {}", kImageFile), said);
 }
 
 }  // namespace
@@ -237,16 +242,16 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
     keep(stored_text(made));
     return made;
   } catch (const ProcessFailure& failure) {
-    if (is_lasting(failure.kind())) keep(failure.why() + '\n' + failure.said(), failure.kind());
+    if (is_lasting(failure.kind())) keep(failure.why() + '\n' + failure.output(), failure.kind());
     throw;
   } catch (const std::system_error& error) {
     if (!is_of_the_machine(error.code())) {
-      // The program made a folder or a picture unreadable.
+      // The program made a folder or the picture unreadable.
       const std::string words = "its picture cannot be read: " + error.code().message();
       keep(words, FailureKind::kBadReply);
       throw ProcessFailure(FailureKind::kBadReply, words);
     }
-    if (const auto& told = renderer.program.surroundings) told->blame(error.what());
+    if (const auto& surroundings = renderer.program.surroundings) surroundings->blame(error.what());
     throw;
   }
 }

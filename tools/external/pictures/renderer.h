@@ -14,43 +14,44 @@
 
 namespace raycheck::tools {
 
-/// The number of time-outs after which a candidate is dropped.
-inline constexpr int kMostSilences = 3;
+/// A candidate is dropped when its time-outs add up to this number of full time limits.
+inline constexpr int kMostTimeouts = 3;
 
-/// The most pixels of a picture, whatever the size of the scene.
+/// A picture may have at most this many pixels, whatever the size of the scene.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
 /// The names of the driver file and the picture in the folder of a run.
 inline constexpr const char* kSceneFile = "scene.txt";
 inline constexpr const char* kImageFile = "image.ppm";
 
-/// The exit code of a command whose input format cannot express the scene: Automake's code for
-/// skipped tests.
-inline constexpr int kCannotSay = 77;
+/// The exit code of a command whose input format cannot express the scene. It is Automake's code
+/// for skipped tests.
+inline constexpr int kCannotExpress = 77;
 
-/// A finished renderer: its command line, run once per picture; {scene} stands for a driver file
+/// A finished renderer. Its command line is run once per picture; {scene} stands for a driver file
 /// and {image} for the picture to make (PPM or PNG).
 struct Renderer {
   Confined program;
-  /// The command whose exit code kCannotSay is trusted: if `program` exits with it and makes no
-  /// picture, this command is run on the same scene and must exit with it, too. Empty: that is a
-  /// failure.
+  /// The command that confirms exit code kCannotExpress: if `program` exits with it and makes no
+  /// picture, this command is run on the same scene and must exit with it, too. Without this
+  /// command, exit code kCannotExpress is a failure.
   std::optional<Confined> wrapper = {};
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
-  double threshold = 0;                      ///< Hits with an s of at most this are not judged.
+  double threshold = 0;  ///< Wrong pixels with an exact s of at most this are excused.
   std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
   /// The number of time-outs after which it is no longer started.
-  int most_silences = kMostSilences;
+  int most_timeouts = kMostTimeouts;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
 };
 
 /// The driver file of a scene, with colours that identify the spheres. Domain: it has a camera.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form);
 
-/// The sphere that each pixel shows: empty for the background colour, a sphere if it has nearly its
-/// colour, else kSomeSphere. Errors: properties::OtherSize if the size is wrong.
+/// The sphere that each pixel shows: empty for the background colour; the sphere whose colour the
+/// pixel nearly has; kSomeSphere for every other colour. Errors: properties::OtherSize if the size
+/// is wrong.
 properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
                                      scene::Rows rows, std::size_t spheres,
                                      const ColourHabit& habit = {});
@@ -58,15 +59,15 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
 /// A renderer's picture.
 struct MadePicture {
   ReadPicture picture;
-  std::string other_name;  ///< The file name; empty: the requested one.
-  std::string ended;       ///< "exited with 1"; empty: normally.
-  std::string said;        ///< On standard error, else on standard output.
+  std::string other_name;  ///< The name of its file; empty: the requested file.
+  std::string ended;       ///< "exited with 1"; empty: the program ended normally.
+  std::string said;  ///< The output on standard error or, if there is none, on standard output.
 };
 
 /// Runs the program on a driver file, or takes the stored picture of the `nth` run. A complete
-/// picture counts, whatever the program's exit code; one of the wrong size has no pixels. The time
-/// to read it is charged to the program. Errors: ProcessFailure (kCannotSay if the wrapper confirms
-/// it), and std::runtime_error with the fault of the picture.
+/// picture counts, whatever the program's exit code. A picture of the wrong size is returned
+/// without pixels. The time to read a picture is charged to the program. Errors: ProcessFailure
+/// (kCannotExpress if the wrapper confirms it); std::runtime_error if the picture is invalid.
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
                      int nth = 1);
 

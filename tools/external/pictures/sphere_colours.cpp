@@ -8,15 +8,15 @@ namespace {
 
 constexpr double kFull = 255;
 
-/// A channel within this distance of a level, in steps between levels, counts as that level.
+/// A channel counts as a level if it is within this distance of it, in steps between levels.
 constexpr double kNearLevel = 0.25;
-/// With only two levels there is room for a gamma or an offset.
+/// With only two levels, more distance is allowed, for a gamma correction or an offset.
 constexpr double kNearAllOrNothing = 0.4;
 
 /// Hues of one sphere differ by at most this share of a channel's full value, apart from rounding.
 constexpr double kSameHue = 0.02;
 
-/// A colour as shares of its largest channel.
+/// The channels of a colour divided by the largest.
 std::array<double, 3> hue_of(const Colour& colour) {
   const double most = std::max({colour.red, colour.green, colour.blue});
   return {colour.red / most, colour.green / most, colour.blue / most};
@@ -25,12 +25,12 @@ std::array<double, 3> hue_of(const Colour& colour) {
 std::size_t power_of_3(std::size_t base) { return base * base * base; }
 
 /// Up to this many spheres have colours with an empty channel, so that a highlight or reflection,
-/// which adds white, does not turn one sphere's colour into another's. More would need more levels,
-/// which a gamma correction confuses.
+/// which adds white, does not turn one sphere's colour into another's. For more spheres, this would
+/// need more levels, which a gamma correction confuses.
 constexpr std::size_t kMostPure = 12;
 constexpr std::size_t kPureOfLevel = 6;
 
-/// The fewest levels of a channel that give `count` colours.
+/// The smallest number of levels of a channel that gives `count` colours.
 std::size_t levels_for(std::size_t count) {
   std::size_t levels = 2;
   if (count <= kMostPure) return std::max(levels, 1 + (count + kPureOfLevel - 1) / kPureOfLevel);

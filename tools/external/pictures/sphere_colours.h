@@ -9,16 +9,16 @@
 
 namespace raycheck::tools {
 
-/// Up to this many spheres have colours whose channels are 0 or full: dimming, a gamma correction
-/// or rounding to whole numbers keeps their hues.
+/// Up to this many spheres get colours whose channels are 0 or full. Dimming, a gamma correction or
+/// rounding to whole numbers does not change the hues of these.
 inline constexpr std::size_t kMostSaturated = 6;
 
 /// How a renderer shows colours.
 struct ColourHabit {
-  Colour background = {};  ///< Where it shows no sphere.
-  /// Which channels of the picture show a sphere's red, green and blue.
+  Colour background = {};  ///< The colour of pixels without a sphere.
+  /// The channels of the picture that show a sphere's red, green and blue.
   std::array<std::size_t, 3> channels = {0, 1, 2};
-  bool tells_spheres = true;  ///< The hues in its pictures identify the spheres.
+  bool tells_spheres = true;  ///< Whether the hues in its pictures identify the spheres.
 
   friend bool operator==(const ColourHabit&, const ColourHabit&) = default;
 };
@@ -29,24 +29,26 @@ struct ShownPixel {
   Colour colour = {};
 };
 
-/// A colour for each sphere. Each has a full channel, so that no colour is near black even if
-/// colours are read as integers; none is grey, which would look like a lost colour. If there are
-/// few spheres, each also has an empty channel: adding white to one colour does not make another.
+/// A colour for each sphere. Each colour has a full channel, so that it is not near black even if
+/// colours are read as integers. No colour is grey, which would look like a lost colour. If there
+/// are few spheres, each colour also has an empty channel, so that adding white to one does not
+/// make another.
 class SphereColours {
  public:
   explicit SphereColours(std::size_t count);
 
   const std::vector<Colour>& all() const { return colours_; }
-  /// The sphere whose colour a pixel shows, however dimmed; empty (kSomeSphere) if no sphere's
+  /// The sphere whose colour, dimmed or not, a pixel shows; empty (kSomeSphere) if no sphere's
   /// colour is near.
   std::optional<std::size_t> sphere_of(const Colour& shown, const ColourHabit& habit) const;
-  /// With many spheres, adding white to one colour can make another: removes from each sphere's
-  /// pixels those whose hue differs from the median. These show only a hit.
+  /// Removes from each sphere's pixels those whose hue differs from the median, since with many
+  /// spheres, adding white to one colour can make another. These pixels show only a hit.
   void keep_usual(std::vector<std::vector<ShownPixel>>& pixels) const;
 
  private:
-  std::size_t levels_;              ///< Of a channel.
-  std::vector<std::size_t> codes_;  ///< Sorted; the digits encode a colour's levels.
+  std::size_t levels_;  ///< The number of levels of a channel.
+  /// The levels of each colour, as the digits of a number; sorted.
+  std::vector<std::size_t> codes_;
   std::vector<Colour> colours_;
 };
 

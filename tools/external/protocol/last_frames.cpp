@@ -18,7 +18,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// The most frames examined, of any library.
+/// At most this many frames, of any library, are examined.
 constexpr std::size_t kMostWalked = 256;
 /// Unwinding takes some KiB.
 constexpr std::size_t kAlternateStack = std::size_t{1} << 16;
@@ -30,8 +30,8 @@ int descriptor = -1;
 /// The signal of the crash; 0 before it.
 volatile std::sig_atomic_t deadly_signal = 0;
 
-/// Frames of the library's code, the innermost first. Nothing here allocates memory: it is used in
-/// signal handlers.
+/// Frames of the library's code, the innermost first. Nothing here allocates memory, because signal
+/// handlers use it.
 struct Frames {
   std::array<std::uintptr_t, kMostFrames> offsets;
   std::size_t count, walked;
@@ -47,7 +47,7 @@ struct Frames {
   _Unwind_Reason_Code add(_Unwind_Context* context) {
     int is_at_fault = 0;
     std::uintptr_t address = _Unwind_GetIPInfo(context, &is_at_fault);
-    // The return address lies after the call and may belong to the next line.
+    // A return address lies after the call and may belong to the next line.
     if (is_at_fault == 0) --address;
     dl_find_object found{};
     if (followed != nullptr && _dl_find_object(reinterpret_cast<void*>(address), &found) == 0 &&
@@ -59,7 +59,7 @@ struct Frames {
 };
 Frames of_death;
 
-/// The line with the frames, also built without allocating memory.
+/// Builds the line with the frames, also without allocating memory.
 class Line {
  public:
   explicit Line(const Frames& frames) {
@@ -85,7 +85,7 @@ class Line {
 };
 
 void on_death(int signal) {
-  // If reading the frames crashes again, the frames found so far are written.
+  // If reading the frames crashes, too, the frames found so far are written.
   if (deadly_signal == 0) {
     deadly_signal = signal;
     of_death.walk();
@@ -136,8 +136,8 @@ std::string frames_of_throw(const std::exception& error) {
 
 }  // namespace raycheck::tools
 
-/// Replaces __cxa_throw of the C++ library, and calls it: the frames that an exception unwinds are
-/// gone when it is caught.
+/// Replaces __cxa_throw of the C++ library, and calls it. When an exception is caught, its frames
+/// are gone; here they still exist.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): the ABI's name.
 extern "C" [[noreturn, gnu::visibility("default")]] void __cxa_throw(void* object,
                                                                      std::type_info* type,

@@ -10,6 +10,7 @@
 namespace raycheck::tools {
 namespace {
 
+using contract::kShownError;
 using contract::shown;
 using contract::Words;
 using properties::SphereHits;
@@ -30,7 +31,7 @@ std::size_t index(Words& words, std::size_t count) {
   const std::int64_t value = words.integer();
   if (value < 0) words.fail("has a negative index");
   if (static_cast<std::uint64_t>(value) >= count) {
-    words.fail(fmt::format("has index {}, but there are only {}", value, count));
+    words.fail(fmt::format("has the index {}, which must be below {}", value, count));
   }
   return static_cast<std::size_t>(value);
 }
@@ -43,8 +44,11 @@ Introduction parse_introduction(std::string_view text) {
   for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
     Words words(lines[k], k + 1);
     if (k == 0) {
-      if (words.word() != "raycheck") words.fail("does not begin with 'raycheck 1'");
-      if (words.word() != std::to_string(kProtocolVersion)) words.fail("has another version");
+      if (words.word() != "raycheck") words.fail("is not 'raycheck 1 NAME'");
+      const std::string_view version = words.word();
+      if (version != std::to_string(kProtocolVersion)) {
+        words.fail(fmt::format("has the version {}, not {}", shown(version), kProtocolVersion));
+      }
       introduction.name = words.word();
     } else if (words.skip("function")) {
       const std::string_view function = words.word();
@@ -58,7 +62,9 @@ Introduction parse_introduction(std::string_view text) {
     }
     words.end();
   }
-  if (lines.size() < 2) throw ProtocolError("it did not introduce itself with 'raycheck 1 NAME'");
+  if (lines.size() < 2) {
+    throw ProtocolError("it did not introduce itself: 'raycheck 1 NAME' is missing");
+  }
   if (const auto wrong = contract::defects(introduction.declared); !wrong.empty()) {
     throw ProtocolError("its introduction declares " + scene::sentences(wrong));
   }
@@ -69,7 +75,7 @@ Request::Request(std::string id, std::string_view function, const scene::Convent
     : id_(std::move(id)), body_(fmt::format("{}\nconventions ", function)) {
   contract::append(body_, conventions);
   body_ += '\n';
-  // The line is left out for the usual roots, so that candidates need not read it.
+  // The line is left out if every root >= 0 counts, so that candidates need not read it.
   if (!conventions.valid.is_usual()) body_ += contract::roots_line(conventions.valid);
 }
 
@@ -110,7 +116,8 @@ Reply::Reply(std::string_view text, std::string_view id) : lines_(lines_of(text)
   if (!lines_.empty() && lines_.back().starts_with("error ")) {
     const std::size_t message = std::string_view("error ").size() + id.size() + 1;
     const std::string_view line = lines_.back();
-    throw ProtocolError("it says: " + shown(line.substr(std::min(message, line.size()))));
+    throw ProtocolError("it failed: " +
+                        shown(line.substr(std::min(message, line.size())), kShownError));
   }
   if (lines_.size() < 2 || lines_.front() != fmt::format("reply {}", id)) {
     throw ProtocolError(fmt::format("its reply begins with '{}', not with 'reply' and the id",
@@ -128,7 +135,8 @@ void Reply::require_count(std::size_t count) const {
 
 namespace {
 
-/// Reads lines of equal format. Numbered from 2: line 1 is the reply's first line.
+/// Reads lines of the same format. They are numbered from 2, because line 1 is the reply's first
+/// line.
 template <class Read>
 auto read_lines(const std::vector<std::string_view>& lines, const Read& read) {
   std::vector<decltype(read(std::declval<Words&>()))> result;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines that raycheck and a candidate's process exchange, as specified in docs/candidates.md.
+// The lines that raycheck and a candidate's process exchange (specified in docs/candidates.md).
 
 #include <cstddef>
 #include <optional>
@@ -22,13 +22,15 @@ inline constexpr int kProtocolVersion = 1;
 
 /// A candidate's introduction.
 struct Introduction {
-  std::string name;  ///< "-": without a name
+  std::string name;  ///< "-" if it declares no name.
   std::set<std::string> functions;
   contract::Declarations declared;
 };
 inline constexpr std::string_view kGreeting = "raycheck 1\n";
 inline constexpr std::string_view kReady = "ready";
 inline constexpr std::size_t kMostIntroduction = 4096;  ///< bytes
+/// Whether the first line of a program's output can begin an introduction.
+inline bool begins_introduction(std::string_view line) { return line.starts_with("raycheck "); }
 Introduction parse_introduction(std::string_view text);
 
 /// Builds a request.
@@ -57,7 +59,7 @@ class Request {
 bool ends_reply(std::string_view line, std::string_view id);
 
 /// The lines between "reply ID" and "end ID".
-/// Errors: ProtocolError, also with the candidate's message for "error ID ...".
+/// Errors: ProtocolError, also for "error ID ...", with the candidate's message.
 class Reply {
  public:
   Reply(std::string_view text, std::string_view id);

@@ -1,10 +1,9 @@
 // raycheck-worker LIBRARY.so
 //
 // Implements the protocol of docs/candidates.md with the functions of a library
-// (<raycheck/candidate.h>): requests come on standard input, replies go to the original standard
-// output. Output of the library itself goes to standard error. If the library crashes or throws, a
-// line reports the place in its code (frames.h). Exits with 2 and a message if the file is not such
-// a library.
+// (raycheck/candidate.h): requests come on standard input, replies go to standard output. Output of
+// the library itself goes to standard error. If the library crashes or throws, a line reports the
+// place in its code (frames.h). Exits with 2 and a message if the file is not such a library.
 
 #include <dlfcn.h>
 #include <raycheck/candidate.h>
@@ -112,7 +111,7 @@ void read_part(std::string_view kind, Words& words, Request& request) {
   }
 }
 
-/// Empty at the end of the input.
+/// Reads a request; empty at the end of the input.
 std::optional<Request> read_request() {
   std::optional<Words> first = next_line();
   if (!first) return {};
@@ -186,7 +185,7 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
       }
     }
   } else {
-    throw std::invalid_argument("no such function: " + function);
+    throw std::invalid_argument("the candidate has no function " + function);
   }
 }
 
@@ -214,12 +213,15 @@ const raycheck_candidate& load(const char* path) {
   using Functions = const raycheck_candidate* (*)();
   const auto functions =
       reinterpret_cast<Functions>(dlsym(library, "raycheck_candidate_functions"));
-  if (functions == nullptr) give_up("the library has no raycheck_candidate_functions()");
+  if (functions == nullptr)
+    give_up(
+        "the library has no raycheck_candidate_functions(); in C++, RAYCHECK_CANDIDATE(...) "
+        "defines it");
   const raycheck_candidate* const candidate = functions();
   if (candidate == nullptr) give_up("raycheck_candidate_functions() returns null");
   if (candidate->version < 1 || candidate->version > RAYCHECK_CANDIDATE_VERSION) {
     give_up("the library was built for version " + std::to_string(candidate->version) +
-            " of <raycheck/candidate.h>, raycheck-worker supports versions up to " +
+            " of <raycheck/candidate.h>; raycheck-worker supports versions up to " +
             std::to_string(RAYCHECK_CANDIDATE_VERSION));
   }
   return *candidate;
@@ -229,14 +231,14 @@ const raycheck_candidate& load(const char* path) {
 
 int main(int argc, char** argv) {
   if (argc != 2) give_up("usage: raycheck-worker LIBRARY.so");
-  // Replies get a separate stream before any code of the library runs.
+  // Before any code of the library runs, replies get a separate stream.
   const int replies = dup(STDOUT_FILENO);
   if (replies < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) give_up(std::strerror(errno));
   Reply reply(fdopen(replies, "w"));
   raycheck::tools::report_deaths(replies);
   const raycheck_candidate& candidate = load(argv[1]);
   if (std::optional<Words> first = next_line(); !first || first->word() != "raycheck") {
-    give_up("not started by raycheck: expected 'raycheck 1' on standard input");
+    give_up("started without raycheck: 'raycheck 1' is missing on standard input");
   }
   try {
     introduce(candidate, reply);

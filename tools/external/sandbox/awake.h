@@ -5,17 +5,17 @@
 
 namespace raycheck::tools {
 
-/// The number of polls for a reply, or the next request, before waiting asleep: waking up takes
-/// longer than most answers.
+/// The number of polls for a reply, or for the next request, before the process sleeps. Waking up
+/// takes longer than most answers.
 inline constexpr int kLooksAwake = 30;
 
-/// Whether there is another processor, on which the other process can run.
+/// Whether there is a second processor, on which the other process can run.
 inline bool has_other_processor() {
   cpu_set_t usable;
   return sched_getaffinity(0, sizeof usable, &usable) != 0 || CPU_COUNT(&usable) > 1;
 }
 
-/// poll(2) for a short while, without sleeping: 0 if nothing has happened.
+/// Polls (poll(2)) for a short while, without sleeping. Returns 0 if nothing has happened.
 inline int poll_awake(pollfd* streams, nfds_t count) {
   static const bool is_worth_it = has_other_processor();
   int ready = 0;

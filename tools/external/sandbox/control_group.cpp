@@ -26,9 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kGroupPrefix = "raycheck-", kLeafPrefix = "judge-";
-/// The processes that bubblewrap adds: one waits outside, one inside adopts orphans.
+/// bubblewrap adds two processes: one waits outside, one inside adopts orphans.
 constexpr std::uint64_t kOfBubblewrap = 2;
-/// Checks whether all processes of a group have died: their number, and microseconds between.
+/// The number of checks whether all processes of a group have died, and the microseconds between
+/// two.
 constexpr int kMostLooks = 10000;
 constexpr useconds_t kLookPause = 500;
 
@@ -95,16 +96,16 @@ std::string unescaped(const std::string& text) {
   return result;
 }
 
-/// Opens and locks a group's folder: locked until its owner ends, in whatever way.
+/// Opens and locks a group's folder. The lock lasts until its owner ends, in whatever way.
 Descriptor held_folder(const fs::path& group, int how) {
   Descriptor folder(open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (flock(folder.number(), how | LOCK_NB) != 0) folder.close();
   return folder;
 }
 
-/// Removes groups of dead processes: their id is unknown here and their folder is not locked (ids
-/// differ between namespaces). A group with this process's own id is left from an earlier process.
-/// Groups that still have processes stay.
+/// Removes groups of dead runs: no process has their id and their folder is not locked (ids differ
+/// between namespaces). A group with this process's id is left from an earlier process. Groups that
+/// still have processes stay.
 void remove_dead_groups(const fs::path& own) {
   std::error_code error;
   for (fs::directory_iterator at(own, error), end; !error && at != end; at.increment(error)) {
@@ -128,7 +129,7 @@ class RunGroups {
   RunGroups()
       : own_(own_control_group(text_of("/proc/self/mountinfo"), text_of("/proc/self/cgroup"))) {
     remove_dead_groups(own_);
-    // Only the root group has no type; only it may hold processes and have subgroups with
+    // Only the root group has no type; only it may contain processes and have subgroups with
     // controllers.
     if (fs::exists(own_ / "cgroup.type")) move_to_leaf();
     const std::string offered = text_of(own_ / "cgroup.controllers");
@@ -140,7 +141,7 @@ class RunGroups {
     }
   }
   ~RunGroups() {
-    // In the root group other runs may use the controllers that this run enabled.
+    // In the root group, other runs may use the controllers that this run enabled.
     if (leaf_.empty()) return;
     for (const std::string& name : enabled_) try_value(own_ / kControllers, "-" + name);
     try_value(own_ / kProcesses, "0");
@@ -160,7 +161,8 @@ class RunGroups {
 
   std::string controllers() const { return text_of(own_ / kControllers); }
 
-  /// Moves raycheck to a subgroup: a group whose subgroups have controllers may not hold processes.
+  /// Moves raycheck to a subgroup, because a group whose subgroups have controllers may not contain
+  /// processes.
   void move_to_leaf() {
     for (const std::string& one : words_of(text_of(own_ / kProcesses))) {
       if (one == std::to_string(getpid())) continue;

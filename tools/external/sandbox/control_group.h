@@ -9,32 +9,32 @@
 namespace raycheck::tools {
 
 /// The folder of a process's own control group (version 2), from the texts of its
-/// /proc/self/mountinfo and /proc/self/cgroup: cgroups(7), proc(5). Errors: std::runtime_error with
-/// the reason if there is none.
+/// /proc/self/mountinfo and /proc/self/cgroup (see cgroups(7), proc(5)).
+/// Errors: std::runtime_error with the reason if there is none.
 std::filesystem::path own_control_group(const std::string& mountinfo, const std::string& cgroup);
 
-/// The limits that the kernel enforces in this run's groups. In each group it also measures CPU
-/// time and can kill all processes at once.
+/// The limits that the kernel can enforce in this run's groups. In each group, the kernel also
+/// measures CPU time and can kill all processes at once.
 struct GroupLimits {
   bool memory = false, processes = false;
 };
 
-/// Prepares raycheck's own group to hold the groups of this run, moves raycheck out of it if the
-/// kernel requires that, and removes groups left by dead runs. Errors: std::runtime_error with the
-/// reason; then nothing has changed.
+/// Prepares raycheck's own group to contain the groups of this run: moves raycheck out of it if the
+/// kernel requires that, and removes groups left by dead runs.
+/// Errors: std::runtime_error with the reason; then nothing has changed.
 GroupLimits begin_control_groups();
-/// Undoes begin_control_groups(); also done when raycheck ends.
+/// Undoes begin_control_groups(); called when raycheck ends, too.
 void end_control_groups();
 
-/// Whether a process was killed because the group met its own memory limit, from the text of its
-/// memory.events; false if the machine, or a parent group, ran out of memory.
+/// Whether a process was killed because the group met its own memory limit, from the text of the
+/// group's memory.events. False if the machine, or a parent group, ran out of memory.
 bool has_met_memory_limit(const std::string& events);
 
 /// The control group of a program and all its descendants, with limits on their total. The
 /// destructor kills them and removes the group. Domain: after begin_control_groups().
 class ControlGroup {
  public:
-  /// Errors: std::system_error if it cannot be made with all limits that `layers` names.
+  /// Errors: std::system_error if the group cannot be made with all limits that `layers` names.
   ControlGroup(const Layers& layers, const Limits& limits);
   ~ControlGroup();
   ControlGroup(const ControlGroup&) = delete;

@@ -12,7 +12,7 @@
 
 namespace raycheck::tools {
 
-/// Owns a file descriptor; -1: none. Closing preserves errno.
+/// Owns a file descriptor, or none (-1). Closing preserves errno.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}

@@ -24,7 +24,7 @@ namespace raycheck::tools {
 
 namespace {
 
-/// The depth down to which sizes of folders are added up.
+/// Sizes of folders are added up to this depth.
 constexpr int kMostDepth = 128;
 /// The unit of st_blocks, in bytes.
 constexpr std::uint64_t kBlock = 512;
@@ -47,8 +47,8 @@ Descriptor open_folder_in(int folder, const char* name) {
   return opened;
 }
 
-/// Removes the files and empty folders in an open folder; returns the name of a nonempty folder in
-/// it, if any. `failed`: something could not be removed.
+/// Removes the files and empty folders in an open folder; returns the name of a folder in it that
+/// is not empty, if any. Sets `failed` if something could not be removed.
 std::string remove_entries(int folder, bool& failed) {
   const FolderEntries entries = entries_of(openat(folder, ".", kOpenFolder));
   if (!entries) {
@@ -79,7 +79,7 @@ void add_up(int folder, int depth, DiskUse& use) {
     }
     const auto bytes = static_cast<std::uint64_t>(status.st_blocks) * kBlock;
     if (!S_ISDIR(status.st_mode)) {
-      // Divided among the hard links.
+      // A file's bytes are divided among its hard links.
       use.bytes += bytes / std::max<std::uint64_t>(status.st_nlink, 1);
       continue;
     }
@@ -119,8 +119,8 @@ bool remove_tree(const std::filesystem::path& folder) {
   Descriptor here = open_folder_in(AT_FDCWD, folder.c_str());
   if (!here.is_open()) return errno == ENOENT;
   bool failed = false;
-  // Descends into nonempty folders and ascends from empty ones, with one folder open at a time, so
-  // that neither the number of descriptors nor the length of paths is a limit.
+  // Descends into folders that are not empty and ascends from empty ones, with one folder open at a
+  // time, so that neither the number of descriptors nor the length of paths is a limit.
   for (std::int64_t depth = 0;;) {
     const std::string below = remove_entries(here.number(), failed);
     if (below.empty() && (depth == 0 || failed)) break;
@@ -153,7 +153,7 @@ DiskUse disk_use(const std::filesystem::path& folder) {
 
 namespace {
 
-/// The most lines read of a process's mappings: only hostile programs have more.
+/// At most this many lines of a process's mappings are read; only hostile programs have more.
 constexpr int kMostMappings = 4096;
 
 /// A file's device and inode.
@@ -164,7 +164,8 @@ struct Size {
 };
 using Sizes = std::map<Key, Size>;
 
-/// Records the file behind a link in /proc if it has no name; false if it cannot be examined.
+/// Records the file behind a link in /proc if that file has no name; false if it cannot be
+/// examined.
 bool take(const std::string& link, Sizes& sizes) {
   struct stat status {};
   if (stat(link.c_str(), &status) != 0) return false;

@@ -10,17 +10,17 @@
 
 namespace raycheck::tools {
 
-/// Bytes of files without a name: removed files, memfd_create(), shared memory.
+/// The bytes of files without a name: removed files, memfd_create(), shared memory.
 struct NamelessFiles {
   std::uint64_t in_memory = 0, on_disk = 0;
 };
 
-/// Counts the nameless files that the processes have open or mapped, each once. If the system does
+/// Adds up the nameless files that the processes have open or mapped, each once. If the system does
 /// not show the size of a file, its mapped part counts.
 NamelessFiles nameless_files(const std::vector<ProcessState>& processes);
 
-/// The bytes of a file, at most the first `most`. Errors: std::system_error; the result is never
-/// incomplete.
+/// The bytes of a file, at most the first `most`. Errors: std::system_error if they cannot all be
+/// read.
 std::string file_bytes(const std::filesystem::path& file,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -34,19 +34,19 @@ void copy_with_time(const std::filesystem::path& from, const std::filesystem::pa
 /// Removes everything in a folder.
 void empty_folder(const std::filesystem::path& folder);
 
-/// The most files and folders that disk_use() adds up.
+/// disk_use() adds up at most this many files and folders.
 inline constexpr int kMostFiles = 32'768;
 
 /// The disk use of a folder. A file with several names counts once.
 struct DiskUse {
   std::uint64_t bytes = 0;
-  int files = 0;              ///< Including folders.
-  bool is_too_deep = false;   ///< Folders are nested too deep to be added up.
-  bool are_too_many = false;  ///< There are more than kMostFiles.
-  bool is_closed = false;     ///< A folder cannot be read.
+  int files = 0;              ///< The number of files and folders.
+  bool is_too_deep = false;   ///< Whether folders are nested too deep to be added up.
+  bool are_too_many = false;  ///< Whether there are more than kMostFiles.
+  bool is_closed = false;     ///< Whether a folder cannot be read.
 };
 
-/// Links are not followed.
+/// The disk use of a folder. Links are not followed.
 DiskUse disk_use(const std::filesystem::path& folder);
 
 }  // namespace raycheck::tools

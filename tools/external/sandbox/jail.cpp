@@ -116,28 +116,28 @@ void keep(const Limits& limits) {
                                 static_cast<pid_t>(limits.judge));
 }
 
-/// Reports that all limits are in place: later output is the program's.
+/// Reports that all limits are in place; later output is the program's.
 void say_ready(std::uint64_t error) {
   const auto descriptor = static_cast<int>(error);
   require(write(STDERR_FILENO, "", 1) == 1 && dup2(descriptor, STDERR_FILENO) >= 0, "error");
   close(descriptor);
 }
 
-/// As in bubblewrap and shells.
+/// As in bubblewrap and shells, a signal becomes the exit code 128 + signal.
 constexpr int kSignalled = 128;
 
 [[noreturn]] void end_as(int status) {
   _exit(WIFSIGNALED(status) ? kSignalled + WTERMSIG(status) : WEXITSTATUS(status));
 }
 
-/// Kills all remaining descendants. If that fails, kills this process, so that raycheck notices.
+/// Kills all remaining descendants. If that fails, kills this process, so that raycheck notices it.
 void end_all() {
   if (!raycheck::tools::end_children()) kill(getpid(), SIGKILL);
 }
 
 /// Waits for the child, then kills its remaining descendants.
 [[noreturn]] void wait_for(pid_t child, const sigset_t& awaited) {
-  // Closed here, so that the streams end when the child closes them.
+  // The streams are closed here, so that they end when the child closes them.
   const int nothing = open("/dev/null", O_RDWR);
   for (int stream = 0; stream < 3; ++stream) dup2(nothing, stream);
   close_range(3, ~0U, 0);
@@ -155,7 +155,7 @@ void end_all() {
   }
 }
 
-/// fork() into a control group: moving a process later would wait for all processors.
+/// Forks into a control group. (Moving a process later would wait for all processors.)
 pid_t fork_into(const std::string& group) {
   if (group.empty()) return fork();
   const Descriptor folder(open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -168,9 +168,9 @@ pid_t fork_into(const std::string& group) {
 }
 
 /// Continues in a child of this process. This process stays as the supervisor: it adopts orphans,
-/// kills them when the child ends, and then ends with the child's status; when its own parent dies,
-/// it kills all. `group`: the folder of the child's control group; empty: that of this process. On
-/// failure returns false, with errno.
+/// kills them when the child ends, and then ends with the child's status. If its own parent dies,
+/// it kills all. `group`: the folder of the child's control group; if empty, the child stays in
+/// this process's group. On failure returns false, with errno.
 bool supervise(const std::string& group) {
   sigset_t awaited, before;
   sigemptyset(&awaited);
@@ -195,7 +195,7 @@ int main(int argc, char** argv) {
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   if (getpgrp() != getpid()) require(setpgid(0, 0) == 0, "group");
   require(close_range(kFirstClosed, ~0U, CLOSE_RANGE_UNSHARE) == 0, "close");
-  // Only the supervisor outlives the child, to kill all descendants: it needs a separate process
+  // The supervisor must outlive the child to kill all descendants, so it needs a separate process
   // group.
   if (limits.supervise != 0) {
     require(supervise(limits.group), "supervise");
@@ -204,15 +204,15 @@ int main(int argc, char** argv) {
   // raycheck ignores this signal, but must report programs that it killed.
   require(std::signal(SIGXFSZ, SIG_DFL) != SIG_ERR, "file");
   limit(RLIMIT_CORE, 0, "core");
-  // The hard limit kills it one second later: SIGXCPU before that shows the reason.
+  // The hard limit kills it one second later; the SIGXCPU before that shows the reason.
   if (limits.cpu != 0) limit(RLIMIT_CPU, limits.cpu, "cpu", limits.cpu + 1);
   if (limits.memory != 0) limit(RLIMIT_AS, limits.memory, "memory");
   if (limits.file != 0) limit(RLIMIT_FSIZE, limits.file, "file");
   if (limits.files != 0) limit(RLIMIT_NOFILE, limits.files, "files");
-  // Before the limit on processes, which does not apply to root.
+  // This comes before the limit on processes, which does not apply to root.
   if (limits.user != 0) become(limits.user);
   if (limits.processes != 0) limit(RLIMIT_NPROC, limits.processes, "processes");
-  // Changing the user resets both.
+  // Changing the user resets both of these.
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   require(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0, "no new privileges");
   try {

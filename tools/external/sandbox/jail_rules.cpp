@@ -32,7 +32,7 @@ constexpr std::array kForbidden = {
     // Access to other processes.
     "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "process_mrelease",
     "pidfd_getfd", "kcmp", "perf_event_open", "bpf", "userfaultfd", "io_uring_setup",
-    // Things that outlive the process.
+    // Objects that outlive the process.
     "keyctl", "add_key", "request_key", "shmget", "shmat", "shmctl", "msgget", "msgsnd", "msgrcv",
     "msgctl", "semget", "semop", "semtimedop", "semctl", "mq_open", "mq_unlink",
     // Other file systems and namespaces.
@@ -41,18 +41,18 @@ constexpr std::array kForbidden = {
     "kexec_file_load", "init_module", "finit_module", "delete_module", "quotactl", "swapon",
     "swapoff", "reboot"};
 
-/// Flags of clone(): a new namespace, in which the process would be root.
+/// Flags of clone() for a new namespace, in which the process would be root.
 constexpr std::initializer_list<std::uint64_t> kNamespaces = {
     CLONE_NEWUSER, CLONE_NEWNS,  CLONE_NEWPID,   CLONE_NEWNET,
     CLONE_NEWIPC,  CLONE_NEWUTS, CLONE_NEWCGROUP};
 
-/// For fcntl() and ioctl(): signals from a stream to any process, and input injected into a
-/// terminal. The headers define the first two only with other feature macros.
+/// Arguments of fcntl() and ioctl() that send signals from a stream to any process, or put input
+/// into a terminal. The headers define the first two only with other feature macros.
 constexpr std::uint64_t kSetSignal = 10, kSetOwnerOfKind = 15, kSetOwnerOfStream = 0x8901,
                         kSetGroupOfSocket = 0x8902;
 
-/// For ioctl(): older forms of fallocate(), which reserve disk space beyond a file's limit. They
-/// are defined only in headers for XFS programs.
+/// Arguments of ioctl(), older forms of fallocate(), which reserve disk space beyond a file's
+/// limit. Only headers for XFS programs define them.
 struct Room {
   std::array<char, 48> bytes;
 };
@@ -63,7 +63,7 @@ constexpr std::array<std::uint64_t, 3> kReserve = {_IOW('X', 40, Room), _IOW('X'
 constexpr std::array kOfAProcess = {"prlimit64",      "sched_setaffinity", "sched_setscheduler",
                                     "sched_setparam", "sched_setattr",     "migrate_pages",
                                     "move_pages"};
-/// Calls whose first argument is the kind of the id in the second; `user` is the kind for users.
+/// Calls whose second argument is an id, and whose first is its kind; `user` is the kind for users.
 struct OfAKind {
   const char* name;
   std::uint64_t user;
@@ -79,8 +79,8 @@ class Filter {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Forbids a call if all conditions hold; without conditions always. Calls that this architecture
-  /// lacks are skipped.
+  /// Forbids a call if all conditions hold; if there are none, always. Skips calls that this
+  /// architecture lacks.
   void forbid(const char* name, std::initializer_list<scmp_arg_cmp> where = {},
               int answer = EPERM) const {
     const int call = seccomp_syscall_resolve_name(name);
@@ -103,7 +103,7 @@ class Filter {
   scmp_filter_ctx context_;
 };
 
-/// Of a 32-bit argument the kernel uses only the lower half of the register.
+/// For a 32-bit argument, the kernel uses only the lower half of the register.
 constexpr std::uint64_t kLowerHalf = 0xffffffff;
 
 scmp_arg_cmp is(unsigned argument, std::uint64_t value) {
@@ -113,8 +113,8 @@ scmp_arg_cmp is_not(unsigned argument, std::uint64_t value) {
   return {argument, SCMP_CMP_NE, value, 0};
 }
 
-/// Allows kill() and rt_sigqueueinfo() only to itself and its group. A separate filter, because
-/// libseccomp compares an argument only once per rule.
+/// Allows kill() and rt_sigqueueinfo() only to the process itself and its group. This is a separate
+/// filter, because libseccomp compares an argument only once per rule.
 void keep_signals_in() {
   const auto own = static_cast<std::uint32_t>(getpid());
   constexpr std::uint32_t kTarget = offsetof(seccomp_data, args);  // its lower half
@@ -141,10 +141,10 @@ void forbid_calls(Reach reach, pid_t judge) {
   for (const std::uint64_t flag : kNamespaces) {
     filter.forbid("clone", {{0, SCMP_CMP_MASKED_EQ, flag, flag}});
   }
-  // Its flags are in memory, which filters cannot read; libraries fall back to clone().
+  // The flags of clone3() are in memory, which filters cannot read. Libraries fall back to clone().
   filter.forbid("clone3", {}, ENOSYS);
-  // Java's file functions need a pair of stream sockets, which reach nothing else; datagram sockets
-  // could.
+  // Java's file functions need a pair of stream sockets, which can reach nothing else. Datagram
+  // sockets could.
   filter.forbid("socketpair", {is_not(1, SOCK_STREAM)});
   for (const std::uint64_t command : {std::uint64_t{F_SETOWN}, kSetSignal, kSetOwnerOfKind}) {
     filter.forbid("fcntl", {is(1, command)});
@@ -153,9 +153,9 @@ void forbid_calls(Reach reach, pid_t judge) {
        {kSetOwnerOfStream, kSetGroupOfSocket, std::uint64_t{TIOCSTI}, std::uint64_t{TIOCLINUX}}) {
     filter.forbid("ioctl", {is(1, request)});
   }
-  // raycheck inspects it to count its open files.
+  // raycheck must be able to inspect the process, to count its open files.
   filter.forbid("prctl", {is(0, PR_SET_DUMPABLE)});
-  // The file size limit does not apply to these, and they reserve disk space at once.
+  // The limit on file sizes does not apply to these modes, and they reserve disk space at once.
   for (const std::uint64_t mode :
        {std::uint64_t{FALLOC_FL_KEEP_SIZE}, std::uint64_t{FALLOC_FL_INSERT_RANGE}}) {
     filter.forbid("fallocate", {{1, SCMP_CMP_MASKED_EQ, mode, mode}}, EOPNOTSUPP);
@@ -172,7 +172,7 @@ void forbid_calls(Reach reach, pid_t judge) {
   }
   if (reach == Reach::kSignal) {
     for (const char* name : {"tkill", "pidfd_open", "pidfd_send_signal"}) filter.forbid(name);
-    // Its parent may be its supervisor.
+    // The parent may be the supervisor.
     for (const pid_t one : {judge, getppid()}) {
       for (const char* name : {"tgkill", "rt_tgsigqueueinfo"}) {
         filter.forbid(name, {is(0, static_cast<std::uint64_t>(one))});
@@ -186,13 +186,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// landlock_ruleset_attr of newer kernels than these headers: older kernels accept fields that are
-/// zero.
+/// landlock_ruleset_attr of kernels that are newer than these headers. Older kernels accept fields
+/// that are zero.
 struct Attributes {
   std::uint64_t files = 0, network = 0, scopes = 0;
 };
 
-// The ABI versions in which the kernel added these.
+// The versions of the Landlock ABI in which the kernel added these.
 constexpr int kAbiRefer = 2, kAbiTruncate = 3, kAbiNetwork = 4, kAbiDevices = 5, kAbiScopes = 6;
 constexpr std::uint64_t kFirstRights = (std::uint64_t{1} << 13) - 1;
 constexpr std::uint64_t kRefer = std::uint64_t{1} << 13;
@@ -203,7 +203,7 @@ constexpr std::uint64_t kAbstractSocketsAndSignals = 3;
 
 constexpr std::uint64_t kReads =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-/// The rights that apply to files; the others are for folders only.
+/// The rights that apply to files; all others apply only to folders.
 constexpr std::uint64_t kOfFiles = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE |
                                    LANDLOCK_ACCESS_FS_READ_FILE | kTruncate | kDevices;
 
@@ -240,7 +240,7 @@ class Ruleset {
     }
   }
 
-  /// Allows reading a path. In a folder with hidden parts, allows all other entries one by one.
+  /// Allows a path to be read. In a folder with hidden parts, allows all other entries one by one.
   void allow_reads(const fs::path& path, const std::vector<fs::path>& hidden) const {
     if (std::ranges::find(hidden, path) != hidden.end()) return;
     const std::string below = path.string() + "/";
@@ -269,7 +269,7 @@ class Ruleset {
 bool keep_to_files(const FileRights& rights) {
   const auto abi = static_cast<int>(
       syscall(SYS_landlock_create_ruleset, nullptr, 0UL, LANDLOCK_CREATE_RULESET_VERSION));
-  if (abi < 1) fail("this kernel has none");
+  if (abi < 1) fail("this kernel has no Landlock");
   const Ruleset rules(handled_by(abi));
   for (const fs::path& path : rights.reads) {
     std::error_code error;

@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// The bytes kept of the beginning, and again of the end.
+/// The number of bytes kept of the beginning, and of the end.
 constexpr std::size_t kKept = 16384;
 constexpr std::size_t kLines = 12;
 constexpr std::size_t kLongestLine = 400;

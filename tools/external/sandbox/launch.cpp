@@ -62,18 +62,19 @@ fs::path adapters() {
 
 namespace {
 
-/// Holds the program's standard error until all layers are in place; raycheck-jail leaves it open.
+/// Until all layers are in place, this descriptor holds the program's standard error; raycheck-jail
+/// leaves it open.
 constexpr int kKeptDescriptor = 3;
-/// The longest time to set up all layers, even on a busy machine, and the longest error text read
-/// from them.
+/// The limit on the time to set up all layers, long enough for a busy machine, and on the error
+/// text read from them.
 constexpr int kStartSeconds = 60;
 constexpr std::size_t kMostSaid = 4096;
 
-/// By default Java reserves more address space than the limit of a process.
+/// By default, Java reserves more address space than a process may have.
 constexpr const char* kJava =
     "JAVA_TOOL_OPTIONS=-Xmx512m -XX:+UseSerialGC -XX:ReservedCodeCacheSize=64m";
 
-/// Since this kernel a user's processes are counted separately in each user namespace.
+/// From this kernel on, a user's processes are counted separately in each user namespace.
 constexpr int kCountsByNamespace[] = {5, 14};
 
 bool counts_by_namespace() {
@@ -100,9 +101,10 @@ std::uint64_t tasks_of_user() {
   return tasks;
 }
 
-/// The process limit for the kernel, which counts all processes of the user, per namespace if it
-/// can; else those of candidates that run in parallel count, too. The user's processes before the
-/// first candidate are counted once: otherwise each candidate would raise the limit of the next.
+/// The process limit to give to the kernel. The kernel counts all processes of the user: in one
+/// namespace if it can; if not, processes of candidates that run in parallel count, too. The user's
+/// processes before the first candidate are counted once; otherwise each candidate would raise the
+/// limit of the next.
 std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
   const bool counts_its_own = user != 0 || (confined.layers.bubblewrap && counts_by_namespace());
   if (counts_its_own) return confined.limits.processes;
@@ -110,7 +112,7 @@ std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
   return others + confined.limits.processes * (1 + std::thread::hardware_concurrency());
 }
 
-/// Adds bubblewrap's arguments for the files that the program may read, and for hidden ones.
+/// Adds bubblewrap's arguments for the files that the program may read, and for hidden files.
 void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
           std::vector<std::string>& arguments) {
   const auto add = [&](std::initializer_list<std::string> more) {
@@ -119,7 +121,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   std::vector<fs::path> shown = system_paths();
   for (const fs::path& path : shown) add({"--ro-bind-try", path, path});
   // Folders come before their contents. The folder that contains all run folders must not list
-  // them: if it is visible, an empty one replaces it.
+  // them, so if it is visible, an empty folder replaces it.
   std::vector<fs::path> readable = confined.readable;
   std::ranges::sort(readable);
   const fs::path of_run = folder.parent_path();
@@ -130,7 +132,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
     add({"--tmpfs", of_run});
     is_emptied = true;
   }
-  // After that, because these may be copies inside it.
+  // These come later, because they may be copies inside that folder.
   for (const fs::path& path : own_paths()) {
     add({"--ro-bind", path, path});
     shown.push_back(path);
@@ -139,13 +141,13 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   add({"--ro-bind", jail, jail});
   shown.insert(shown.end(), confined.readable.begin(), confined.readable.end());
   for (const fs::path& hidden : hidden_paths()) {
-    // The user, and bubblewrap, which runs as that user, cannot enter it anyway.
+    // The user cannot enter the folder, and neither can bubblewrap, which runs as that user.
     if (user != 0 && !others_may_enter(hidden.parent_path())) continue;
     for (const fs::path& one : shown) {
       std::error_code error;
       const fs::path real = fs::canonical(one, error);
       if (error || !(hidden.string() + "/").starts_with(real.string() + "/")) continue;
-      // A link outside, such as /bin, is bound as a separate folder inside.
+      // A link such as /bin becomes a separate folder inside.
       const fs::path path = (one / hidden.lexically_relative(real)).lexically_normal();
       fs::is_directory(hidden) ? add({"--tmpfs", path, "--remount-ro", path})
                                : add({"--ro-bind", "/dev/null", path});
@@ -155,7 +157,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   if (is_emptied) add({"--remount-ro", of_run});
 }
 
-/// Adds raycheck-jail's arguments for the same with Landlock.
+/// Adds raycheck-jail's arguments for the same files, with Landlock.
 void rule(const Confined& confined, const fs::path& folder, std::vector<std::string>& arguments) {
   const auto add = [&](const char* what, const fs::path& path) {
     arguments.push_back(what + path.string());
@@ -196,7 +198,8 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
     bind(confined, folder, user, arguments);
     add({"--", jail});
   }
-  // Applied inside bubblewrap's user namespace: outside, the user's other processes count, too.
+  // The limit applies inside bubblewrap's user namespace; outside, the user's other processes would
+  // count, too.
   add({fmt::format("processes={}", most_processes(confined, user)),
        fmt::format("error={}", kKeptDescriptor)});
   if (layers.seccomp) add({"seccomp=1"});
@@ -207,7 +210,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
   return arguments;
 }
 
-/// Waits until all layers are in place. On an error no process is left.
+/// Waits until all layers are in place. On an error, no process is left.
 /// Errors: ProcessFailure with the layers' messages; scene::Interrupted.
 void await_start(pid_t pid, int said) try {
   std::string text;
@@ -261,8 +264,8 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
   posix_spawn_file_actions_adddup2(&actions, streams.error, kKeptDescriptor);
   posix_spawn_file_actions_adddup2(&actions, said.write.number(), STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // A new session and process group from the start, so that it cannot join raycheck's, and default
-  // signal handling.
+  // The process begins in a new session and process group, so that it cannot join raycheck's, and
+  // with default signal handling.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none, all;

@@ -26,13 +26,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why `true` does not run in these layers; empty if it does.
+/// Why the program `true` does not run in these layers; empty if it does.
 std::string why_not(const Layers& layers) {
   try {
     Process process({.arguments = {"/bin/true"}, .readable = {}, .layers = layers, .limits = {}});
     const int code = process.finish();
     if (code == 0) return "";
-    return fmt::format("'true' exited with {}{}", code, said_text(process.excerpt()));
+    return fmt::format("'true' exited with {}{}", code, output_text(process.excerpt()));
   } catch (const ProcessFailure& failure) {
     return failure.what();
   }
@@ -47,7 +47,7 @@ std::pair<std::string, std::string> temporary_folder() {
   return {"TMPDIR", fs::temp_directory_path()};
 }
 
-/// Whether build tools and shells take the character literally anywhere in a name.
+/// Whether build tools and shells take this character literally, anywhere in a name.
 bool is_plain(char c) {
   const auto byte = static_cast<unsigned char>(c);
   constexpr unsigned char kAscii = 0x80;
@@ -55,7 +55,8 @@ bool is_plain(char c) {
          std::string_view("/._-+,@=%").find(c) != std::string_view::npos;
 }
 
-/// Candidates are built and run there, by their own commands.
+/// Checks the folder for temporary files, in which candidates are built and run by their own
+/// commands.
 void check_temporary_folder() {
   const auto [name, path] = temporary_folder();
   auto fail = [&n = name, shown = path](const std::string& why) mutable {
@@ -91,7 +92,8 @@ void check_helpers() {
   }
 }
 
-/// Tried last: the layers that restrict files keep a program from the files of its group.
+/// Tries the control group, after all other layers, because layers that restrict files keep a
+/// program from the files of its group.
 void try_control_group(LayersHere& here) {
   Layers layers = here.layers;
   if (!layers.own_user && !layers.bubblewrap && !layers.landlock) {
@@ -132,7 +134,7 @@ LayersHere found_by_trying() {
   return here;
 }
 
-/// Adds raycheck's programs in a folder, except the helpers, in which candidates run.
+/// Adds raycheck's programs in a folder, without the helpers that run candidates.
 void add_programs(const fs::path& folder, std::vector<fs::path>& programs) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
@@ -206,7 +208,8 @@ std::vector<fs::path> system_paths() {
 std::vector<fs::path> own_paths() {
   std::vector<fs::path> paths = {adapters()};
   const fs::path libraries = prefix() / "lib";
-  // Needed only by programs of other users, so useless if those may not read them.
+  // If a candidate runs under another user id, the libraries are useful only if that user may read
+  // them.
   if (fs::exists(libraries) && (geteuid() != 0 || others_may_read(libraries))) {
     paths.push_back(libraries);
   }

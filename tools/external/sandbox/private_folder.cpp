@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kPrefix = "raycheck-run-";
-/// The lock file of a run's folder. Folders of other programs may have the same prefix, but not
-/// this file.
+/// The lock file in a run's folder. Folders of other programs may have the same prefix, but do not
+/// have this file.
 constexpr const char* kHeldBy = "held-by-raycheck";
 
 constexpr mode_t kFolderMode = 0755, kFileMode = 0644, kProgramMode = 0755;
@@ -103,8 +103,9 @@ fs::path new_folder(const fs::path& begin) {
   return name;
 }
 
-/// Locks the lock file `by` of a run's folder, until it is closed or this process ends; not open if
-/// another process holds it, or if it does not exist. `create`: O_CREAT to create it.
+/// Locks the lock file `by` of a run's folder, until it is closed or this process ends. The result
+/// is not open if another process holds the lock, or if the file does not exist. `create`: O_CREAT
+/// to create it.
 Descriptor hold(const fs::path& by, int create = 0) {
   Descriptor opened(open(by.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600));
   if (flock(opened.number(), LOCK_EX | LOCK_NB) != 0) opened.close();
@@ -119,7 +120,7 @@ Descriptor hold_new(const fs::path& folder) {
   return held;
 }
 
-/// Removes folders of killed runs: this user's run folders that are not locked.
+/// Removes the folders of killed runs: this user's run folders that are not locked.
 void remove_left_overs(const fs::path& where) {
   std::error_code error;
   for (fs::directory_iterator at(where, error), end; !error && at != end; at.increment(error)) {
@@ -131,11 +132,11 @@ void remove_left_overs(const fs::path& where) {
   }
 }
 
-/// The folder that contains all private folders of this process; removed when it ends.
+/// The folder that contains all private folders of this process; removed when the process ends.
 class RunFolder {
  public:
   RunFolder() : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold_new(path_)) {
-    // Others may enter subfolders whose names they have, but may not list them.
+    // Other users may enter subfolders whose names they are given, but cannot list them.
     fs::permissions(path_, fs::perms::others_exec, fs::perm_options::add);
     remove_left_overs(path_.parent_path());
   }

@@ -26,14 +26,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The most successive reads of a stream, enough to empty a pipe: endless output must not keep
-/// raycheck from checking the time.
+/// At most this many successive reads of a stream, enough to empty a pipe. Endless output must not
+/// keep raycheck from checking the time.
 constexpr int kMostTurns = 64;
 
 /// Microseconds between two checks whether a process has ended.
 constexpr useconds_t kPause = 500;
 
-/// Whether an error of read() or write() is not fatal: try later, or the stream is closed.
+/// Whether an error of read() or write() is not fatal: nothing can be transferred now, or the
+/// stream is closed.
 bool is_passing(int error) { return error == EAGAIN || error == EINTR || error == EPIPE; }
 
 /// bubblewrap and shells turn a signal into an exit code above this one.
@@ -63,7 +64,7 @@ std::string file_limit_text(const Limits& limits) {
 
 std::string reason_ended(int status, const Limits& limits) {
   const int signal = signal_of(status);
-  // raycheck-jail itself was killed: otherwise it always exits with a code.
+  // raycheck-jail itself was killed; otherwise it always exits with a code.
   if (WIFSIGNALED(status)) {
     return fmt::format(
         "lost its supervisor, which was killed by signal {} ({}): its child processes may still "
@@ -81,12 +82,13 @@ std::string reason_ended(int status, const Limits& limits) {
 
 }  // namespace
 
-std::string last_line_text(const KeptText& said) {
-  std::istringstream lines(said.text());
+std::string last_line_text(const KeptText& error_output) {
+  std::istringstream lines(error_output.text());
   std::string text, last;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) last = line;
-    // After the reason Java prints a stack trace, and Node the error's properties and its version.
+    // After the reason, Java prints a stack trace, and Node the error's properties and its own
+    // version.
     const bool is_reason = !line.empty() &&
                            std::string_view(" \t}").find(line[0]) == std::string_view::npos &&
                            !line.starts_with("Node.js v");
@@ -96,10 +98,10 @@ std::string last_line_text(const KeptText& said) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
   }
-  return text.empty() ? "" : "; it said: " + text;
+  return text.empty() ? "" : "; it printed: " + text;
 }
 
-std::string limit_text(const KeptText& said, const Limits& limits) {
+std::string limit_text(const KeptText& error_output, const Limits& limits) {
   using Signs = std::vector<std::string_view>;
   const std::pair<std::string, Signs> rows[] = {
       {fmt::format("it may have at most {} processes and threads{}", limits.processes,
@@ -111,7 +113,7 @@ std::string limit_text(const KeptText& said, const Limits& limits) {
        {"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory", "out of memory",
         "Out of memory", "could not allocate memory"}},
       {file_limit_text(limits), {"File too large"}}};
-  const std::string text = said.text();
+  const std::string text = error_output.text();
   for (const auto& [limit, signs] : rows) {
     if (std::ranges::any_of(
             signs, [&](std::string_view sign) { return text.find(sign) != std::string::npos; })) {
@@ -121,15 +123,17 @@ std::string limit_text(const KeptText& said, const Limits& limits) {
   return "";
 }
 
-std::string said_text(const std::string& said) {
-  if (said.empty()) return "";
-  return (said.find('\n') == std::string::npos ? "; it said: " : "; it said:\n") + said;
+std::string output_text(const std::string& output) {
+  if (output.empty()) return "";
+  return (output.find('\n') == std::string::npos ? "; it printed: " : "; it printed:\n") + output;
 }
 
-std::string Process::excerpt() const { return (said().empty() ? printed() : said()).excerpt(); }
+std::string Process::excerpt() const {
+  return (error_output().empty() ? printed() : error_output()).excerpt();
+}
 
 Process::Process(const Confined& confined) try : confined_(confined) {
-  // Otherwise a candidate of the same user could read raycheck's memory.
+  // Without this, a candidate of the same user could read raycheck's memory.
   prctl(PR_SET_DUMPABLE, 0);
   signal(SIGPIPE, SIG_IGN);
   if (confined.layers.own_user) {
@@ -169,13 +173,14 @@ bool Process::has_neighbours() const {
   return confined_.surroundings && !confined_.surroundings->alone();
 }
 
-/// Whether it has ended by itself: all its processes have, unless raycheck-jail was killed.
+/// Whether it has ended by itself. Then all its processes have ended, unless raycheck-jail was
+/// killed.
 bool Process::has_ended(int& status) {
   rusage used{};
   if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
   pid_ = -1;
   watch_->end(seconds_of(used.ru_utime) + seconds_of(used.ru_stime));
-  listen(error_, said_);
+  listen(error_, error_output_);
   return true;
 }
 
@@ -200,7 +205,7 @@ void Process::blame(FailureKind kind, const std::string& words) const {
 /// Charges the time since the last restart.
 void Process::charge() { confined_.spent->add(watch_->taken()); }
 
-/// Stops it if it exceeds a limit.
+/// Stops the process if it exceeds a limit.
 void Process::look(const char* doing) {
   if (const auto stop = watch_->look(doing)) fail(stop->kind, stop->words);
 }
@@ -216,15 +221,15 @@ void Process::fail(FailureKind kind, const std::string& words) {
 
 /// Throws the failure of a process that ended abnormally.
 void Process::fail_with(int status) {
-  // Its fault, even if the machine is short of memory.
+  // This is the program's fault, even if the machine is short of memory.
   if (group_ && group_->has_met_memory_limit()) {
     fail(FailureKind::kEnded, memory_words(confined_.limits));
   }
   const std::string words = reason_ended(status, confined_.limits);
   const std::string lack = lack_of_room(folder_.path());
   if (!lack.empty()) fail(FailureKind::kSystem, words + ": " + lack);
-  // raycheck did not kill it: another candidate may have, or the system when memory is short. A
-  // program that kills itself does so again when no other candidate runs.
+  // raycheck did not kill it. Another candidate may have killed it, or the system if memory is
+  // short. A program that kills itself will do so again when no other candidate runs.
   const bool is_killed = signal_of(status) == SIGKILL;
   fail(is_killed && has_neighbours() ? FailureKind::kSystem : FailureKind::kEnded, words);
 }
@@ -239,8 +244,8 @@ void Process::fail_ended() {
   fail_with(status);
 }
 
-/// Reads available output of a stream into a buffer, valid until the next call. Empty: nothing is
-/// available, or the stream has ended and is closed.
+/// Reads available output of a stream into a buffer, valid until the next call. Empty if nothing is
+/// available, or if the stream has ended; then it is closed.
 std::string_view Process::heard_on(Descriptor& stream) {
   if (!stream.is_open()) return {};
   const ssize_t count = read(stream.number(), buffer_.data(), buffer_.size());
@@ -279,7 +284,7 @@ std::string Process::exchange(std::string_view request,
     if (ready < 0 && errno != EINTR) {
       fail(FailureKind::kSystem, std::strerror(errno));
     }
-    if (streams[1].revents != 0) listen(error_, said_);
+    if (streams[1].revents != 0) listen(error_, error_output_);
     if (streams[2].revents != 0) {
       const ssize_t count = write(input_.number(), request.data(), request.size());
       if (count > 0) request.remove_prefix(static_cast<std::size_t>(count));
@@ -293,13 +298,14 @@ std::string Process::exchange(std::string_view request,
       const std::string_view line = std::string_view(answer_).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
       if (!is_last(line)) continue;
-      if (line_begin != answer_.size()) fail(FailureKind::kSaidMore, "wrote more after its reply");
+      if (line_begin != answer_.size())
+        fail(FailureKind::kExtraOutput, "wrote more after its reply");
       charge();
       return std::exchange(answer_, {});
     }
     searched = answer_.size();
     if (answer_.size() > most_bytes) {
-      fail(FailureKind::kSaidMore, fmt::format("replied with more than {} bytes", most_bytes));
+      fail(FailureKind::kExtraOutput, fmt::format("replied with more than {} bytes", most_bytes));
     }
   }
 }
@@ -310,11 +316,11 @@ int Process::finish() {
     scene::poll();
     int status = 0;
     const bool ended = has_ended(status);
-    listen(error_, said_);
+    listen(error_, error_output_);
     listen(output_, printed_);
     if (ended) {
       if (signal_of(status) != 0) fail_with(status);
-      // Whatever the exit code: some of its output may be missing.
+      // This counts whatever the exit code is, because some of its output may be missing.
       if (const std::string lack = lack_of_room(folder_.path()); !lack.empty()) {
         fail(FailureKind::kSystem, "ended when " + lack);
       }

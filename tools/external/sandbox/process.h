@@ -18,34 +18,37 @@
 
 namespace raycheck::tools {
 
-/// Keeps the beginning and the end of a program's output, of any length.
+/// Keeps the beginning and the end of a program's output, which may have any length.
 class KeptText {
  public:
   void append(std::string_view more);
   bool empty() const { return begin_.empty(); }
   /// The beginning and the end, with a line between them that counts the missing bytes.
   std::string text() const;
-  /// Its first and last few lines, and how many are left out; without terminal control codes.
+  /// Its first and last lines, and the number of lines between them; without terminal control
+  /// codes.
   std::string excerpt() const;
 
  private:
   std::string begin_, end_;
-  std::size_t lines_ = 0;    ///< Line ends in the whole output.
-  std::size_t dropped_ = 0;  ///< Bytes.
+  std::size_t lines_ = 0;    ///< The number of line ends in the whole output.
+  std::size_t dropped_ = 0;  ///< The number of bytes dropped.
 };
 
-/// The beginning of a text, at most this many bytes, not cut within a multi-byte character.
+/// The beginning of a text: at most this many bytes, not cut within a multi-byte character.
 std::string_view cut_to(std::string_view text, std::size_t most);
 
-/// The last line of a program's output that gives a reason, as a clause; empty without output.
-std::string last_line_text(const KeptText& said);
+/// The last line of a program's output that gives a reason, as a clause; empty if there is no
+/// output.
+std::string last_line_text(const KeptText& error_output);
 
-/// The limit that a failed program met, recognised from its output, as a clause; else empty.
-std::string limit_text(const KeptText& said, const Limits& limits);
+/// The limit that a failed program met, recognised from its output, as a clause; empty if none is
+/// recognised.
+std::string limit_text(const KeptText& error_output, const Limits& limits);
 
 /// A sandboxed process in a private folder, with pipes to its standard streams. When it ends, its
-/// descendants are killed. Errors: ProcessFailure, also if it cannot be started; afterwards it is
-/// dead.
+/// descendants are killed. Errors: ProcessFailure, also if it cannot be started. After a failure
+/// the process is dead.
 class Process {
  public:
   explicit Process(const Confined& confined);
@@ -53,20 +56,20 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Sends a request and returns the answer, up to and including the first line for which `is_last`
-  /// is true. Answers longer than `most_bytes` are failures.
+  /// Sends a request and returns the answer, up to the first line for which `is_last` is true,
+  /// inclusive. An answer longer than `most_bytes` is a failure.
   std::string exchange(std::string_view request,
                        const std::function<bool(std::string_view line)>& is_last,
                        std::size_t most_bytes);
   /// The incomplete answer of a failed exchange.
   const std::string& unfinished() const { return answer_; }
-  /// Sets the limit of CPU time, in seconds, for each further exchange.
+  /// Sets the limit of CPU time, in seconds, for each later exchange.
   void allow(double seconds) { confined_.limits.seconds = seconds; }
   /// Closes its input and waits until it ends; returns its exit code.
   int finish();
-  /// Its standard error and, after finish(), its standard output: the beginning and the end of
-  /// each.
-  const KeptText& said() const { return said_; }
+  /// The beginning and the end of its standard error; printed(): of its standard output, after
+  /// finish().
+  const KeptText& error_output() const { return error_output_; }
   const KeptText& printed() const { return printed_; }
   /// The first and last lines of its standard error or, if that is empty, of its standard output.
   std::string excerpt() const;
@@ -93,7 +96,7 @@ class Process {
   std::optional<Watch> watch_;
   Descriptor input_, output_, error_;
   std::vector<char> buffer_ = std::vector<char>(65536);
-  KeptText said_, printed_;
+  KeptText error_output_, printed_;
   std::string answer_;
 };
 

@@ -22,7 +22,7 @@ namespace {
 /// Microseconds between two checks whether processes have ended.
 constexpr useconds_t kPauseOfEnding = 500;
 
-/// The result of a single read of a file in /proc: all of it, as the files read here are short.
+/// The contents of a file in /proc by a single read; the files read here are short.
 std::string start_of(const std::string& path) {
   std::array<char, 4096> text{};
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -43,7 +43,8 @@ void for_each_number(const std::string& folder, const What& what) {
   }
 }
 
-/// The fields of /proc/PID/stat (proc(5)) from the third on: the name before may contain anything.
+/// The fields of /proc/PID/stat (proc(5)) from the third on. The name before them may contain any
+/// character.
 std::vector<std::string> stat_fields(const std::string& line) {
   const std::size_t name_end = line.rfind(')');
   if (name_end == std::string::npos) return {};
@@ -69,7 +70,7 @@ std::optional<ProcessState> state_of(pid_t pid) {
   state.parent = static_cast<pid_t>(number_of(fields[kParent]));
   state.cpu_seconds = static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
   state.threads = number_of(fields[kThreads]);
-  // A process whose first thread has ended looks dead while others run.
+  // A process whose first thread has ended looks dead although other threads run.
   state.is_dead = fields[kState] == "X" || (fields[kState] == "Z" && state.threads <= 1);
   state.memory = number_of(fields[kMemory]) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   return state;
@@ -84,18 +85,18 @@ void add_children(pid_t pid, std::vector<pid_t>& to) {
   });
 }
 
-/// Kills the descendants of a process found in one walk; returns them. Does not read their state:
-/// meanwhile a process could fork and exit, and its child would be missed.
+/// Kills the descendants of a process that one walk finds; returns them. Does not read their state,
+/// because meanwhile a process could fork and exit, and its child would be missed.
 std::vector<pid_t> kill_below(pid_t root) {
   std::vector<pid_t> killed;
   add_children(root, killed);
   for (std::size_t k = 0; k < killed.size(); ++k) {
-    // Once killed it starts no more processes, so the children found next are all.
+    // A killed process starts no more processes, so the children found next are all.
     kill(killed[k], SIGKILL);
     add_children(killed[k], killed);
   }
   if (!killed.empty()) return killed;
-  // It has no children, or the kernel does not list them.
+  // The process has no children, or the kernel does not list them.
   for (const ProcessState& one : process_tree(root)) {
     if (one.pid == root) continue;
     kill(one.pid, SIGKILL);
@@ -184,7 +185,7 @@ bool end_children() {
       ended = waitpid(-1, nullptr, WNOHANG);
     } while (ended > 0);
     if (ended < 0 && errno == ECHILD) return true;
-    // No pause if there are new ones, which may start others.
+    // If there are new processes, which may start others, there is no pause.
     if (killed == before) usleep(kPauseOfEnding);
     before = std::move(killed);
   }
@@ -192,13 +193,13 @@ bool end_children() {
 }
 
 bool end_supervised(pid_t supervisor) {
-  // So that the supervisor need not compete with them.
+  // The descendants are killed first, so that the supervisor need not compete with them.
   kill_below(supervisor);
   kill(supervisor, SIGTERM);
   const auto deadline = std::chrono::steady_clock::now() + 2 * kMostEnding;
   int status = 0;
   for (;;) {
-    // Another process may have stopped it by a signal.
+    // Another process may have stopped the supervisor by a signal.
     kill(supervisor, SIGCONT);
     const pid_t ended = waitpid(supervisor, &status, WNOHANG);
     if (ended == supervisor) return !WIFSIGNALED(status);

@@ -20,10 +20,10 @@ using std::chrono::milliseconds;
 constexpr milliseconds kInterval{100}, kLeastInterval{5};
 /// The number of checks within a time limit.
 constexpr double kLooks = 10;
-/// Checking files takes at most 1/kShare of the time, but waits at most kMostInterval.
+/// Checks of files take at most 1/kShare of the time, but at most kMostInterval passes between two.
 constexpr int kShare = 10;
 constexpr std::chrono::steady_clock::duration kMostInterval = std::chrono::seconds(1);
-/// Processes of the isolation: bubblewrap's and raycheck-jail.
+/// The number of processes that the isolation adds: bubblewrap's and raycheck-jail.
 constexpr std::uint64_t kOfLayers = 4;
 /// A program that uses less CPU time than this share of a period counts as idle.
 constexpr double kNextToNothing = 0.01;

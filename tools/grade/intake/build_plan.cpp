@@ -1,4 +1,4 @@
-// The ways to build a submission; those of C and C++ are in plan_c_family.cpp.
+// The ways to build a submission. Those for C and C++ are in plan_c_family.cpp.
 
 #include <elf.h>
 #include <fmt/core.h>
@@ -29,7 +29,8 @@ std::vector<std::string> with_ending(const HandedInFiles& files,
   });
 }
 
-/// The files that look like a program's start, likeliest first; a single file always counts.
+/// The files that look like the start of a program, the likeliest first. A single file always
+/// counts.
 std::vector<std::string> starting(const HandedInFiles& files, std::vector<std::string> names,
                                   const std::vector<std::string>& signs) {
   if (names.size() == 1) return names;
@@ -92,7 +93,7 @@ std::vector<std::string> java_mains(const HandedInFiles& files) {
   return mains;
 }
 
-/// The submitted script that package.json names; or empty.
+/// The submitted script that package.json names, or empty.
 std::string of_package_json(const HandedInFiles& files) try {
   const auto package = files.find("package.json");
   if (package == files.end()) return "";
@@ -124,7 +125,7 @@ void plan_script(const std::string& interpreter, const std::vector<std::string>&
 
 std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
                        const std::string& main_class) {
-  // Its dependencies may lie unpacked beside it.
+  // Its dependencies may lie beside it, unpacked.
   std::string path = folder + ":.";
   for (const std::string& jar : jars) path += ":" + jar;
   return fmt::format("java -cp {} {}", candidate_word(path), main_class);
@@ -153,7 +154,8 @@ bool is_source(const std::string& name) {
   return is_c_or_cpp(name) || is_one_of(kEndings, ending_of(name));
 }
 
-/// A program for another system in the submission, as the reason why it cannot be run; or empty.
+/// If the submission contains a program for another system, the reason why it cannot be run;
+/// otherwise empty.
 std::string foreign_program(const HandedInFiles& files) {
   for (const auto& [name, file] : files) {
     if (file.text.starts_with("MZ")) return name + " is a Windows program";
@@ -270,7 +272,7 @@ BuildPlan build_plan(const HandedInFiles& files) {
   if (!foreign.empty()) {
     plan.why_none = foreign + ", and there are no sources to build it from";
   } else if (std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); })) {
-    plan.why_none = "none of its sources starts a program (there is no main function)";
+    plan.why_none = "none of its source files has a main function";
   } else {
     plan.why_none =
         "there is nothing to build or run: no Makefile, no CMakeLists.txt, no sources in C, C++, "

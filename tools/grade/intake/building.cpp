@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// At most this many programs of a build are tried.
 constexpr std::size_t kMostPrograms = 8;
 
-/// The most rounds in which missing headers are added.
+/// Missing headers are added in at most this many rounds.
 constexpr int kMostRepairs = 3;
 
 /// The first bytes of a file, enough to recognise its format.
@@ -38,8 +38,8 @@ bool is_program(const fs::path& path) {
          is_program_here(head_of(path));
 }
 
-/// The programs that a build made in its folder: tests last, then by the recipe's order of names,
-/// likelier names, and age.
+/// The programs that a build made in its folder, sorted: tests last, then by the recipe's order of
+/// names, by likelihood_rank(), and by age.
 std::vector<std::string> made_programs(const fs::path& folder,
                                        const std::vector<std::string>& likely) {
   std::set<std::tuple<bool, std::ptrdiff_t, int, fs::file_time_type::duration, std::string>> found;
@@ -60,7 +60,7 @@ std::vector<std::string> made_programs(const fs::path& folder,
   return programs;
 }
 
-/// The command line of the main class, if the build made classes or jars; else empty.
+/// The command line of the main class if the build made classes or jars; otherwise empty.
 std::vector<std::string> made_classes(const fs::path& folder, const std::string& main_class,
                                       const HandedInFiles& handed_in) {
   if (main_class.empty()) return {};
@@ -79,7 +79,7 @@ std::vector<std::string> made_classes(const fs::path& folder, const std::string&
   return {java_words(root.empty() ? "." : root, {jars.begin(), jars.end()}, main_class)};
 }
 
-/// Builds in one way; the command lines of the programs, likelier ones first.
+/// Builds in one way. Returns the command lines of the programs, the likeliest first.
 std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& submission,
                                  const fs::path& to, const RunOptions& options) {
   if (attempt.words.empty()) {
@@ -105,7 +105,7 @@ std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& sub
   return made;
 }
 
-/// The first package that javac reports as missing; or empty.
+/// The first package that javac reports as missing, or empty.
 std::string missing_package(const std::string& said) {
   constexpr std::string_view kBefore = "error: package ", kAfter = " does not exist";
   const std::size_t before = said.find(kBefore);
@@ -115,7 +115,7 @@ std::string missing_package(const std::string& said) {
                                                                   : said.substr(begin, end - begin);
 }
 
-/// Builds in one way; if the compiler names missing headers, adds them and tries again.
+/// Builds in one way. If the compiler names missing headers, adds them and tries again.
 Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& to,
                const RunOptions& options) {
   for (int repairs = 0;; ++repairs) {
@@ -125,14 +125,14 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
               std::move(attempt.notes), std::move(attempt.what)};
     } catch (const CandidateError& error) {
       empty_folder(to);
-      const auto missing = missing_includes(submission.files, error.said());
+      const auto missing = missing_includes(submission.files, error.output());
       if (missing.empty() || repairs == kMostRepairs) {
-        const std::string package = missing_package(error.said());
+        const std::string package = missing_package(error.output());
         if (package.empty()) throw;
         throw CandidateError(
             fmt::format("{}: the package {} is missing: put its jar beside the sources",
                         error.why(), package),
-            error.said());
+            error.output());
       }
       attempt.repairs += repair_words(missing);
       for (const IncludeRepair& one : missing) attempt.notes.push_back(one.note());
@@ -140,14 +140,14 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
   }
 }
 
-/// The way to try after one that works; 0: none is left.
+/// The index of the way to try after this one works; 0 if there is none.
 std::size_t next_way(const BuildPlan& plan, std::size_t way) {
   do ++way;
   while (way < plan.attempts.size() && plan.attempts[way].only_after_failure);
   return way < plan.attempts.size() ? way : 0;
 }
 
-/// Builds in the first way that works. Each way gets the full time limit, so that its outcome does
+/// Builds in the first way that works. Each way has the full time limit, so that its outcome does
 /// not depend on the time that others took.
 Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
   const BuildPlan plan = build_plan(submission.files);
@@ -168,10 +168,10 @@ Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions
     } catch (const CandidateError& error) {
       if (why.empty()) {
         why = error.why();
-        said = error.said();
+        said = error.output();
       } else {
         said += fmt::format("{}{}{}{}", said.empty() ? "" : "\n\n", error.why(),
-                            error.said().empty() ? "" : ":\n", error.said());
+                            error.output().empty() ? "" : ":\n", error.output());
       }
       if (failed != attempt.what) notes.push_back(attempt.what);
       failed = attempt.what;

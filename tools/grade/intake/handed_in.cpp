@@ -45,14 +45,14 @@ bool is_left_behind(const fs::path& path, bool is_folder) {
          is_one_of(kLeftEndings, fs::path(name).extension().string());
 }
 
-/// Absolute, with links resolved as far as the path exists.
+/// The absolute path, with links resolved as far as the path exists.
 fs::path resolved(const fs::path& path) {
   // "results/" has an empty last component.
   const fs::path whole = fs::weakly_canonical(fs::absolute(path));
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// Domain: both resolved.
+/// Domain: resolved paths.
 bool is_in(const fs::path& path, const fs::path& folder) {
   return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
@@ -70,7 +70,7 @@ HandedInPaths paths_of(const fs::path& path, const SubmissionLimits& limits) {
   if (!fs::is_directory(status)) {
     throw std::invalid_argument(
         fs::is_regular_file(status)
-            ? fmt::format("it has more than {} MiB (submission_mib)", limits.submission_mib)
+            ? fmt::format("it has more than {} MiB (limits.submission_mib)", limits.submission_mib)
             : "it is neither a file nor a folder");
   }
   std::uintmax_t bytes = 0;
@@ -82,18 +82,19 @@ HandedInPaths paths_of(const fs::path& path, const SubmissionLimits& limits) {
       } else if (folders.push_back(entry->path().lexically_relative(path).string());
                  folders.size() > limits.files) {
         throw std::invalid_argument(
-            fmt::format("it has more than {} folders (files)", limits.files));
+            fmt::format("it has more than {} folders (limits.files)", limits.files));
       }
     }
     if (!fs::is_regular_file(own) || is_left_behind(entry->path(), false)) continue;
     files.emplace(entry->path().lexically_relative(path).string(), entry->path());
     bytes += entry->file_size();
     if (files.size() > limits.files) {
-      throw std::invalid_argument(fmt::format("it has more than {} files (files)", limits.files));
+      throw std::invalid_argument(
+          fmt::format("it has more than {} files (limits.files)", limits.files));
     }
     if (bytes > most) {
       throw std::invalid_argument(
-          fmt::format("it has more than {} MiB (submission_mib)", limits.submission_mib));
+          fmt::format("it has more than {} MiB (limits.submission_mib)", limits.submission_mib));
     }
   }
   std::ranges::sort(folders);
@@ -140,7 +141,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
   std::map<std::string, std::string> known;
   for (const std::string& given : paths) {
     std::error_code error;
-    // A link is not followed: it may lead to another submission.
+    // A link is not followed, because it may lead to another submission.
     fs::path path = fs::absolute(given).lexically_normal();
     if (!path.has_filename()) path = path.parent_path();
     if (!fs::exists(fs::symlink_status(path, error))) {
@@ -245,9 +246,11 @@ namespace {
 constexpr std::array<std::string_view, 9> kPictureEndings = {
     ".ppm", ".pnm", ".pgm", ".pbm", ".png", ".jpg", ".jpeg", ".gif", ".bmp"};
 
-/// The most folders and files of a submission in a run's folder, those nearer to the top first.
+/// A run's folder contains at most this many folders and files of a submission; those nearer to the
+/// top come first.
 constexpr std::size_t kMostInRunFolder = 100;
-/// Files up to the first size are copied there while the copies fit the second; others are linked.
+/// Files of at most the first size are copied there, as long as all copies fit into the second
+/// size; others are linked.
 constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
 constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
 
@@ -265,9 +268,9 @@ bool is_nearer(const std::string& a, const std::string& b) {
   return key(a) < key(b);
 }
 
-/// Files other than pictures, programs and archives are listed from this size on.
+/// Files that are not pictures, programs or archives are listed from this size on.
 constexpr std::uintmax_t kLargeFile = std::uintmax_t{256} << 10;
-/// Longer lines are not written by hand.
+/// Lines that are longer are not written by hand.
 constexpr std::size_t kLongLine = 4000;
 
 struct Beginning {

@@ -21,14 +21,14 @@ struct Submission {
   std::filesystem::path path;
 };
 
-/// The submissions, named like their files or folders.
+/// The submissions, named after their files or folders.
 /// Errors: std::invalid_argument if a path does not exist, two names are equal, or a name is
 /// reserved.
 std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
-                                         const std::vector<std::string_view>& reserved);
+                                         const std::vector<std::string_view>& reserved = {});
 
-/// Throws std::invalid_argument if the folder of results, or a submission's folder in it, is,
-/// contains or lies in a submission, also through links. The folder need not exist.
+/// Throws std::invalid_argument if the folder of results, or a submission's folder in it, is a
+/// submission, contains one or lies in one, also through links. The folder need not exist.
 void require_disjoint(const std::string& out, const std::vector<Submission>& submissions);
 
 /// A submitted file.
@@ -37,23 +37,25 @@ struct HandedInFile {
   bool runs = false;  ///< It is executable.
 };
 
-/// By path in the submission: "src/rt.cpp".
+/// Submitted files, by their paths in the submission: "src/rt.cpp".
 using HandedInFiles = std::map<std::string, HandedInFile>;
 
 /// The files and folders of a submission that are used.
 struct HandedInPaths {
-  std::map<std::string, std::filesystem::path> files;  ///< By path in the submission.
+  /// The files, by their paths in the submission.
+  std::map<std::string, std::filesystem::path> files;
   std::vector<std::string> folders;  ///< Paths in the submission, including empty folders.
 };
 
-/// The regular files of a submission, and its folders, without what archives, editors and compilers
-/// leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers. Links are not
-/// followed: they may lead outside the submission.
-/// Errors: std::invalid_argument if it is neither a file nor a folder, or too large.
+/// The regular files of a submission, and its folders, without files that archives, editors and
+/// compilers leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers.
+/// Links are not followed, because they may lead outside the submission. Errors:
+/// std::invalid_argument if the path is neither a file nor a folder, or if the submission is too
+/// large.
 HandedInPaths paths_of(const std::filesystem::path& path, const SubmissionLimits& limits);
 
-/// Descends while a folder contains only one other folder, as unpacked archives do; ignores what
-/// tools leave behind, and stops before a folder whose name `is_meant`.
+/// Descends while a folder contains nothing but one other folder, as unpacked archives do. Ignores
+/// files that tools leave behind, and stops before a folder if `is_meant` is true for its name.
 std::filesystem::path innermost(std::filesystem::path path,
                                 const std::function<bool(const std::string& name)>& is_meant);
 
@@ -63,19 +65,19 @@ std::string digest_of(const HandedInPaths& paths);
 /// Reads the files' contents.
 HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& paths);
 
-/// The code cells of a Jupyter notebook as one Python module: lines of magics (% and !) become
-/// `pass`, cells of other languages (%%bash) are left out. Empty if the text is not a notebook.
+/// The code cells of a Jupyter notebook as one Python module. Lines with magics (% and !) become
+/// `pass`; cells in other languages (%%bash) are left out. Empty if the text is not a notebook.
 std::optional<std::string> notebook_module(std::string_view text);
 
-/// Files whose content a reader cannot judge and that may contain answers computed elsewhere:
-/// programs, libraries, archives, pictures, large files, and texts with very long lines. They are
-/// allowed. `paths`: the locations of the files.
+/// Files whose content a human reader cannot judge and that may contain answers computed elsewhere:
+/// programs, libraries, archives, pictures, large files, and texts with very long lines. Such files
+/// are allowed. `paths`: the locations of the files.
 std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
                                      const std::map<std::string, std::filesystem::path>& paths);
 
-/// The folder in which a submission's renderer runs: the submission's folders and files, without
-/// pictures, which could be taken for its output, files named like the driver file or the picture,
-/// and headers of Eigen and glm. `copy`: the folder with the files.
+/// The folder in which a submission's renderer runs: the submission's folders and files. Left out
+/// are pictures, which could be taken for its output, files named like the driver file or the
+/// picture, and headers of Eigen and glm. `copy`: the folder with the files.
 std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
                                                  const std::vector<std::string>& folders,
                                                  std::shared_ptr<const PrivateFolder> copy);

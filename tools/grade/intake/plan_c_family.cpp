@@ -1,4 +1,4 @@
-// Makefiles, CMake, and plain sources of C and C++.
+// Ways to build by Makefiles and CMake, and to compile plain C and C++ sources.
 
 #include <fmt/core.h>
 
@@ -16,10 +16,10 @@ namespace raycheck::tools {
 namespace {
 
 constexpr const char* kSystemEigen = "/usr/include/eigen3";
-/// The most files with a main that are tried.
+/// At most this many files with a main() are tried.
 constexpr std::size_t kMostMains = 3;
 
-/// The folders with headers: the submission's own, and those of libraries in it.
+/// The folders with headers: those of the submission, and those of libraries in it.
 std::vector<std::string> include_folders(const HandedInFiles& files, const Vendored& vendored) {
   std::vector<std::string> folders = {"."};
   const auto add = [&](const std::string& folder) {
@@ -29,7 +29,7 @@ std::vector<std::string> include_folders(const HandedInFiles& files, const Vendo
     const bool is_header = is_c_family(name) && !is_c_or_cpp(name);
     if (!is_header || vendored.has(name) || folder_of(name).empty()) continue;
     add(folder_of(name));
-    // "include/math/vec.h" is included as "math/vec.h".
+    // "include/math/vec.h" may be included as "math/vec.h".
     add(folder_of(folder_of(name)).empty() ? "." : folder_of(folder_of(name)));
   }
   for (const std::string& folder : vendored.include) add(folder);
@@ -48,7 +48,8 @@ struct CSources {
     for (const IncludeRepair& repair : repairs) notes.insert(repair.note());
     return {notes.begin(), notes.end()};
   }
-  /// For compilers called by a Makefile: these folders are searched after those that it names.
+  /// Environment variables for compilers that a Makefile calls. These folders are searched after
+  /// those that it names.
   std::string search_path() const {
     std::string path = "export CPATH=";
     for (const std::string& folder : include) path += "\"$PWD\"/" + single_quoted(folder) + ":";
@@ -65,8 +66,8 @@ struct CSources {
   std::vector<IncludeRepair> repairs;
 };
 
-/// Removes submitted programs, which could be mistaken for the build's result, and dependency
-/// files, which name files of another machine.
+/// A shell command that removes submitted programs, which could be mistaken for the build's result,
+/// and dependency files, which name files of another machine.
 std::string removal_words(const HandedInFiles& files) {
   std::vector<std::string> stale;
   for (const auto& [name, file] : files) {
@@ -77,8 +78,8 @@ std::string removal_words(const HandedInFiles& files) {
   return stale.empty() ? "" : "rm -f -- " + shell_words(stale) + "; ";
 }
 
-/// The file with one of these names that is nearest to the top; empty if there is no such file, or
-/// a tie.
+/// The file with one of these names that is nearest to the top; empty if there is none, or if two
+/// are equally near.
 std::string top_file(const HandedInFiles& files, const std::vector<std::string>& names,
                      const Vendored& vendored) {
   std::vector<std::string> found;
@@ -143,7 +144,8 @@ std::string names_shown(const std::vector<std::string>& names) {
   return scene::joined(names, " ");
 }
 
-/// Compiles and links with the first standard that works; otherwise shows the newest one's errors.
+/// Compiles and links with the first C++ standard that works. If none works, shows the errors with
+/// the newest.
 BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
                       const std::vector<std::string>& sources) {
   constexpr const char* kProgram = "raycheck-built";
@@ -167,7 +169,7 @@ BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
           c.notes()};
 }
 
-/// A source and the sources that belong to its headers: "vec.cpp" for "vec.h".
+/// A source and the sources that belong to the headers that it includes: "vec.cpp" for "vec.h".
 std::vector<std::string> reached_from(const std::string& main, const HandedInFiles& files,
                                       const std::vector<std::string>& others) {
   const auto stem = [](const std::string& name) {
@@ -258,7 +260,7 @@ void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {
     if (count == 1) continue;
     for (std::size_t k = first; k < plan.attempts.size(); ++k) {
       plan.attempts[k].notes.push_back(
-          fmt::format("{} of its files have a main; the one in {} is used", count, main));
+          fmt::format("{} of its files have a main function; that of {} is used", count, main));
     }
   }
 }

@@ -10,7 +10,6 @@
 #include <limits>
 #include <set>
 #include <system_error>
-#include <tuple>
 
 #include "scene/text.h"
 #include "tools/grade/intake/building.h"
@@ -45,63 +44,65 @@ bool means_folder(const Form& form, const std::string& name) {
   return false;
 }
 
-/// A submission's copy.
-struct CopiedFiles {
+/// A copy of a submission, which its program may read.
+struct Sources {
+  std::shared_ptr<const PrivateFolder> folder;
   HandedInFiles files;
-  std::vector<std::string> folders;
   std::string digest;  ///< The digest of the submitted files.
   std::vector<OpaqueFile> opaque;
+  std::shared_ptr<const StartingFolder> start;  ///< The folder in which a renderer runs.
 };
 
-/// Copies a submission to a folder; adds a Python module for each Jupyter notebook.
-CopiedFiles copied(const Submission& submission, const Rubric& rubric, const fs::path& folder) {
+/// Copies a submission; adds a Python module for each Jupyter notebook.
+Sources copied(const Submission& submission, const Rubric& rubric) {
   const fs::path top = innermost(submission.path, [&](const std::string& name) {
     return std::ranges::any_of(rubric.forms,
                                [&](const Form& form) { return means_folder(form, name); });
   });
-  HandedInPaths handed_in = paths_of(top, rubric.limits);
-  HandedInPaths in_copy{{}, std::move(handed_in.folders)};
-  auto& copies = in_copy.files;
-  for (const auto& [name, path] : handed_in.files) {
-    const fs::path to = folder / name;
+  HandedInPaths paths = paths_of(top, rubric.limits);
+  const auto folder = std::make_shared<const PrivateFolder>();
+  for (auto& [name, path] : paths.files) {
+    const fs::path to = folder->path() / name;
     fs::create_directories(to.parent_path());
     fs::copy_file(path, to);
-    copies.emplace(name, to);
+    path = to;
   }
-  for (const std::string& name : in_copy.folders) fs::create_directories(folder / name);
-  HandedInFiles files = read_files(copies);
-  std::vector<OpaqueFile> opaque = opaque_files(files, copies);
-  for (const auto& [name, path] : copies) {
+  for (const std::string& name : paths.folders) fs::create_directories(folder->path() / name);
+  Sources sources{folder, read_files(paths.files), digest_of(paths), {}, {}};
+  sources.opaque = opaque_files(sources.files, paths.files);
+  for (const auto& [name, path] : paths.files) {
     const std::string module = fs::path(name).replace_extension(".py").string();
-    if (path.extension() != ".ipynb" || files.contains(module)) continue;
-    if (const auto code = notebook_module(files.at(name).text)) {
-      std::ofstream(folder / module, std::ios::binary) << *code;
-      files[module] = {*code, false};
+    if (path.extension() != ".ipynb" || sources.files.contains(module)) continue;
+    if (const auto code = notebook_module(sources.files.at(name).text)) {
+      std::ofstream(folder->path() / module, std::ios::binary) << *code;
+      sources.files[module] = {*code, false};
     }
   }
-  std::string digested = digest_of(in_copy);
-  return {std::move(files), std::move(in_copy.folders), std::move(digested), std::move(opaque)};
+  sources.start = run_folder(sources.files, paths.folders, folder);
+  open_to_others(folder->path());
+  return sources;
 }
 
-std::vector<std::string> top_files(const HandedInFiles& files) {
-  std::vector<std::string> names;
-  for (const auto& [name, file] : files) {
-    if (name.find('/') == std::string::npos) names.push_back(name);
-  }
-  return names;
-}
+/// The form that fits a submission.
+struct FittingForm {
+  const Form& form;
+  std::string file;       ///< The file by which it fits.
+  CandidateSpec program;  ///< As in the form, with {file} replaced.
+};
 
-/// The form that fits, and the file by which it fits.
-std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric& rubric) {
+FittingForm form_of(const fs::path& folder, const Rubric& rubric) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
     names.insert(entry.path().filename().string());
   }
   if (names.empty()) refuse("it contains no files");
   for (const Form& form : rubric.forms) {
-    for (const std::string& name : names) {
-      if (fits(form, name)) return {&form, name};
-    }
+    const auto file = std::ranges::find_if(names, [&](const auto& one) { return fits(form, one); });
+    if (file == names.end()) continue;
+    CandidateSpec program = form.program;
+    const std::string word = program.is_words() ? candidate_word(*file) : *file;
+    boost::replace_all(program.what, "{file}", word);
+    return {form, *file, std::move(program)};
   }
   const std::string asked = scene::joined(rubric.forms, ", ", &Form::has);
   refuse(asked.empty() ? "the rubric has no [[form]]"
@@ -130,173 +131,159 @@ std::string answers_key(const std::string& build, const CandidateSpec& program,
                              limits.file, limits.files, limits.processes)});
 }
 
-/// Turns a copy of a submission's files into a program that can be judged.
-class Preparing {
- public:
-  Preparing(const Submission& submission, const Rubric& rubric, const Confinement& confinement,
-            Store* store)
-      : rubric_(rubric),
-        store_(store),
-        options_(run_options(rubric, confinement)),
-        copy_(std::make_shared<PrivateFolder>()),
-        copied_(copied(submission, rubric, copy_->path())) {
-    std::tie(form_, file_) = form_of(copy_->path(), rubric);
-    program_ = form_->program;
-    program_.what = boost::replace_all_copy(program_.what, "{file}",
-                                            program_.is_words() ? candidate_word(file_) : file_);
-    open_to_others(copy_->path());
-    found_ = {.program = program_,
-              .files = top_files(copied_.files),
-              .built_automatically = form_->is_built_automatically(),
-              .opaque_files = std::move(copied_.opaque)};
-    start_ = run_folder(copied_.files, copied_.folders, copy_);
-  }
+/// Everything that a submission's programs are built from, and run with.
+struct Intake {
+  Sources sources;
+  FittingForm fitting;
+  RunOptions options;
+  const DriverRule& driver;
+  Store* store;  ///< Null: nothing is stored.
+};
 
-  /// Searches the ways to build the submission and, for each program, the form that it reads.
-  RunnableSubmission best_program(const properties::RunControl& control) {
-    for (int builds = 0; builds <= kMostFurtherBuilds; ++builds) {
+/// A submission as built in one way.
+struct Build {
+  Built made = {};
+  std::shared_ptr<const PrivateFolder> folder = {};
+  std::string key = {};  ///< In the store.
+  bool is_stored = false;
+  double seconds = 0;                          ///< Of this and earlier builds.
+  std::vector<std::string> draw_nothing = {};  ///< The sources of builds that show no spheres.
+};
+
+/// Builds in the way after `last`. Errors: CandidateError.
+Build next_build(const Intake& intake, const Build& last) {
+  const auto& [form, file, program] = intake.fitting;
+  const Sources& sources = intake.sources;
+  const Unbuilt unbuilt{form,          file,           program,           sources.folder->path(),
+                        sources.files, sources.digest, last.made.next_way};
+  Build build{.folder = sources.folder,
+              .key = build_key(unbuilt, intake.options.layers),
+              .draw_nothing = last.draw_nothing};
+  if (needs_building(unbuilt)) {
+    const auto to = std::make_shared<const PrivateFolder>();
+    const auto make = [&] { return build_submission(unbuilt, to->path(), intake.options); };
+    build.made = intake.store != nullptr
+                     ? intake.store->built(build.key, to->path(), make, build.is_stored)
+                     : make();
+    open_to_others(to->path());
+    build.folder = to;
+  }
+  build.seconds = intake.options.build_spent->seconds_since({});
+  const std::string& before = last.made.what;
+  if (!before.empty() && before != build.made.what) build.draw_nothing.push_back(before);
+  for (const std::string& other : build.draw_nothing) {
+    build.made.notes.push_back(fmt::format(
+        "what was built from {} shows no spheres; built from {} instead", other, build.made.what));
+  }
+  return build;
+}
+
+Preparation found_by(const Intake& intake, const Build& build) {
+  const auto& [form, file, program] = intake.fitting;
+  Preparation found{.program = program,
+                    .built_automatically = form.is_built_automatically(),
+                    .build_words = build.made.words,
+                    .notes = build.made.notes,
+                    .opaque_files = intake.sources.opaque};
+  for (const auto& [name, contents] : intake.sources.files) {
+    if (name.find('/') == std::string::npos) found.files.push_back(name);
+  }
+  return found;
+}
+
+/// The same command without any submitted file, which only an instructor's wrapper answers as
+/// before: a submission must not choose its questions.
+Confined without_hand_in(Confined program, const std::string& folder) {
+  const auto is_handed_in = [&](const std::string& word) {
+    return word.find(folder) != std::string::npos;
+  };
+  std::ranges::replace_if(program.arguments, is_handed_in, "false");
+  std::erase_if(program.readable, is_handed_in);
+  program.start = nullptr;
+  return program;
+}
+
+/// Sets up a renderer with the driver form and colours found by a dry run.
+void ask_in_its_form(RunnableSubmission& runnable, const Intake& intake, const fs::path& folder,
+                     const properties::RunControl& control) {
+  Renderer renderer = *runnable.external.renderer;
+  const StartingFolder& start = *(renderer.program.start = intake.sources.start);
+  renderer.wrapper = without_hand_in(renderer.program, folder);
+  if (!start.links.empty()) renderer.program.readable.push_back(start.linked->path());
+  const DryRun& found = runnable.found.dry_run.emplace(dry_run(renderer, intake.driver, control));
+  if (found.refusal) throw SubmissionError(*found.refusal, runnable.found);
+  renderer.driver = found.driver;
+  renderer.colours = found.colours;
+  // The rubric's `seconds` limit all requests together.
+  renderer.most_timeouts = std::numeric_limits<int>::max();
+  External asked = rendering(runnable.external.name, std::move(renderer));
+  asked.folder = runnable.external.folder;
+  asked.copies = runnable.external.copies;
+  asked.bounds = runnable.external.bounds;
+  runnable.external = std::move(asked);
+}
+
+/// Starts one of a build's programs, given its command line. Errors: SubmissionError.
+RunnableSubmission started(const Intake& intake, const Build& build, const std::string& by,
+                           const properties::RunControl& control) {
+  RunnableSubmission runnable{{}, found_by(intake, build), build.is_stored};
+  auto& [external, found, is_stored] = runnable;
+  CandidateSpec& program = *found.program;
+  if (found.built_automatically) boost::replace_all(program.what, "{program}", by);
+  if (const std::size_t count = build.made.programs.size(); count > 1) {
+    found.notes.push_back(fmt::format("{} programs are built; {} is run", count, by));
+  }
+  RunOptions options = intake.options;
+  if (intake.store != nullptr) {
+    options.answers = intake.store->answers(answers_key(build.key, program, options.limits));
+  }
+  options.folder = build.folder->path();
+  try {
+    external = program.kind == CandidateKind::kSource
+                   ? compiled_external(program, options.folder / by, options)
+                   : find_external(program, options);
+    found.build_seconds = build.seconds;
+    // The rubric sets the precision, whatever the submission declares.
+    external.precision = scene::Precision::kDouble;
+    // The program's folder must outlive it; a library keeps its folder itself.
+    if (!external.folder) external.folder = build.folder;
+    if (external.renderer) ask_in_its_form(runnable, intake, options.folder, control);
+    return runnable;
+  } catch (const CandidateError& error) {
+    throw SubmissionError({error.why(), error.output()}, found);
+  }
+}
+
+/// Searches the ways to build the submission and, for each program, the form that it reads.
+RunnableSubmission best_program(const Intake& intake, const properties::RunControl& control) {
+  std::optional<RunnableSubmission> best;
+  std::optional<SubmissionError> farthest;
+  const auto take_failure = [&](const SubmissionError& error) {
+    if (!farthest || error.progress() > farthest->progress()) farthest = error;
+  };
+  Build build;
+  for (int builds = 0; builds <= kMostFurtherBuilds; ++builds) {
+    try {
+      build = next_build(intake, build);
+    } catch (const CandidateError& error) {
+      take_failure({{error.why(), error.output()}, found_by(intake, build)});
+      break;
+    }
+    for (const std::string& by : build.made.programs) {
       try {
-        build();
-      } catch (const CandidateError& error) {
-        take_failure({{error.why(), error.said()}, found_});
-        break;
-      }
-      if (one_works(control) || made_.next_way == 0 || control.interrupted()) break;
-    }
-    if (!best_) throw SubmissionError(*farthest_);
-    return std::move(*best_);
-  }
-
- private:
-  /// Builds in the next way.
-  void build() {
-    const fs::path copy = copy_->path();
-    const Unbuilt unbuilt{*form_,        file_,          program_,      copy,
-                          copied_.files, copied_.digest, made_.next_way};
-    const std::string key = build_key(unbuilt, options_.layers), before = made_.what;
-    if (store_ != nullptr) key_ = key;
-    if (needs_building(unbuilt)) {
-      auto to = std::make_shared<PrivateFolder>();
-      const auto make = [&] { return build_submission(unbuilt, to->path(), options_); };
-      made_ = store_ != nullptr ? store_->built(key, to->path(), make, is_stored_) : make();
-      open_to_others(to->path());
-      made_in_ = std::move(to);
-    }
-    if (!before.empty() && before != made_.what) draws_nothing_.push_back(before);
-    build_seconds_ = options_.build_spent->seconds_since({});
-    found_.build_words = made_.words;
-    found_.notes = made_.notes;
-    for (const std::string& other : draws_nothing_) {
-      found_.notes.push_back(fmt::format(
-          "what was built from {} shows no spheres; built from {} instead", other, made_.what));
-    }
-  }
-
-  /// Whether one of the built programs works; it becomes `best_`.
-  bool one_works(const properties::RunControl& control) {
-    for (const std::string& by : made_.programs) {
-      try {
-        RunnableSubmission runnable = started(by, control);
+        RunnableSubmission runnable = started(intake, build, by, control);
         const auto& dry = runnable.found.dry_run;
-        const bool works = !dry || dry->shows_a_sphere();
-        if (works || !best_) best_.emplace(std::move(runnable));
-        if (works) return true;
+        if (!dry || dry->shows_a_sphere()) return runnable;
+        if (!best) best.emplace(std::move(runnable));
       } catch (const SubmissionError& error) {
         take_failure(error);
       }
     }
-    return false;
+    if (build.made.next_way == 0 || control.interrupted()) break;
   }
-
-  void take_failure(const SubmissionError& error) {
-    if (!farthest_ || error.progress() > farthest_->progress()) farthest_ = error;
-  }
-
-  const std::shared_ptr<const PrivateFolder>& folder() const { return made_in_ ? made_in_ : copy_; }
-
-  /// Starts one of the programs, given its command line. Errors: SubmissionError.
-  RunnableSubmission started(const std::string& by, const properties::RunControl& control) const {
-    Preparation found = found_;
-    CandidateSpec program = program_;
-    if (found.built_automatically)
-      program.what = boost::replace_all_copy(program.what, "{program}", by);
-    found.program = program;
-    if (const std::size_t count = made_.programs.size(); count > 1) {
-      found.notes.push_back(fmt::format("{} programs are built; {} is run", count, by));
-    }
-    RunOptions options = options_;
-    if (store_ != nullptr) {
-      options.answers = store_->answers(answers_key(key_, program, options.limits));
-    }
-    options.folder = folder()->path();
-    try {
-      External external = program.kind == CandidateKind::kSource
-                              ? compiled_external(program, options.folder / by, options)
-                              : find_external(program, options);
-      found.build_seconds = build_seconds_;
-      // The rubric sets the precision, whatever the submission declares.
-      external.precision = scene::Precision::kDouble;
-      RunnableSubmission runnable{std::move(external), std::move(found), is_stored_};
-      // The program's folder must outlive it; a library keeps its folder itself.
-      if (!runnable.external.folder) runnable.external.folder = folder();
-      if (runnable.external.renderer) ask_in_its_form(runnable, control);
-      return runnable;
-    } catch (const CandidateError& error) {
-      throw SubmissionError({error.why(), error.said()}, found);
-    }
-  }
-
-  /// The same command without any submitted file, which only an instructor's wrapper answers as
-  /// before: a submission must not choose its questions.
-  Confined without_hand_in(Confined program) const {
-    const std::string path = folder()->path();
-    const auto is_handed_in = [&](const std::string& word) {
-      return word.find(path) != std::string::npos;
-    };
-    std::ranges::replace_if(program.arguments, is_handed_in, "false");
-    std::erase_if(program.readable, is_handed_in);
-    program.start = nullptr;
-    return program;
-  }
-
-  /// Sets up a renderer with the driver form and colours found by the dry run.
-  void ask_in_its_form(RunnableSubmission& runnable, const properties::RunControl& control) const {
-    Renderer renderer = *runnable.external.renderer;
-    renderer.program.start = start_;
-    renderer.wrapper = without_hand_in(renderer.program);
-    if (!start_->links.empty()) renderer.program.readable.push_back(start_->linked->path());
-    const DryRun& found =
-        runnable.found.dry_run.emplace(dry_run(renderer, rubric_.driver, control));
-    if (found.refusal) throw SubmissionError(*found.refusal, runnable.found);
-    renderer.driver = found.driver;
-    renderer.colours = found.colours;
-    // The rubric's `seconds` limit all requests together.
-    renderer.most_silences = std::numeric_limits<int>::max();
-    External asked = rendering(runnable.external.name, std::move(renderer));
-    asked.folder = runnable.external.folder;
-    asked.copies = runnable.external.copies;
-    asked.bounds = runnable.external.bounds;
-    runnable.external = std::move(asked);
-  }
-
-  const Rubric& rubric_;
-  Store* store_;  ///< Null: nothing is stored.
-  RunOptions options_;
-  std::shared_ptr<const PrivateFolder> copy_, made_in_;
-  CopiedFiles copied_;
-  const Form* form_ = nullptr;
-  std::string file_;
-  CandidateSpec program_;  ///< As in the form, with {file}.
-  Preparation found_;
-  std::string key_;  ///< The build's key in the store.
-  Built made_;
-  std::shared_ptr<const StartingFolder> start_;  ///< The folder in which a renderer runs.
-  bool is_stored_ = false;
-  double build_seconds_ = 0;
-  std::vector<std::string> draws_nothing_;  ///< The sources of builds that show no spheres.
-  std::optional<RunnableSubmission> best_;
-  std::optional<SubmissionError> farthest_;
-};
+  if (!best) throw SubmissionError(*farthest);
+  return std::move(*best);
+}
 
 }  // namespace
 
@@ -335,7 +322,11 @@ Limits program_limits(const Rubric& rubric) {
 RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                            const Confinement& confinement, const properties::RunControl& control,
                            Store* store) try {
-  return Preparing(submission, rubric, confinement, store).best_program(control);
+  Sources sources = copied(submission, rubric);
+  FittingForm fitting = form_of(sources.folder->path(), rubric);
+  return best_program({std::move(sources), std::move(fitting), run_options(rubric, confinement),
+                       rubric.driver, store},
+                      control);
 } catch (const SubmissionError&) {
   throw;
 } catch (const fs::filesystem_error& error) {

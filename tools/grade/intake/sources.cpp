@@ -96,7 +96,7 @@ std::string without_comments(std::string_view text) {
   return kept;
 }
 
-// A regular expression would recurse for each space of a file that has a million.
+// A regular expression would recurse once for each space, even in a file that has a million.
 std::vector<std::string_view> words_of_code(std::string_view text) {
   const auto is_of_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
@@ -161,7 +161,7 @@ Vendored vendored_in(const HandedInFiles& files) {
     if (!is_eigen && !is_glm) continue;
     const std::string around = folder_of(folder);
     vendored.include.push_back(around.empty() ? "." : around);
-    // A whole package: "eigen-3.4.0" has tests and examples, too.
+    // The whole package belongs to the library: "eigen-3.4.0" has tests and examples, too.
     const std::string called = boost::to_lower_copy(base_of(around));
     const bool is_package = !around.empty() && called.starts_with(is_eigen ? "eigen" : "glm");
     vendored.folders.push_back(is_package ? around : folder);
@@ -215,7 +215,7 @@ namespace fs = std::filesystem;
 
 std::string normal(const fs::path& path) { return path.lexically_normal().generic_string(); }
 
-/// The submission's files, found by the names that includes use for them.
+/// Finds the submission's files by the names in includes.
 class Headers {
  public:
   Headers(const HandedInFiles& files, const Vendored& vendored,
@@ -231,7 +231,7 @@ class Headers {
     return any_place(from, name, [&](const std::string& at) { return files_.contains(at); });
   }
 
-  /// The file that a name which matches no file probably means.
+  /// The file that is probably meant by a name that matches no file.
   std::optional<std::string> meant(const std::string& from, const std::string& name) const {
     std::optional<std::string> found;
     any_place(from, name, [&](const std::string& at) {
@@ -259,7 +259,7 @@ class Headers {
   std::map<std::string, std::vector<std::string>> by_base_;
 };
 
-/// "<Eigen/Dense>" for "../eigen-3.4/Eigen/Dense"; empty if it names neither library.
+/// "<Eigen/Dense>" for "../eigen-3.4/Eigen/Dense"; empty if the name belongs to neither library.
 std::string library_header(const std::string& name) {
   for (const std::string library : {"unsupported/Eigen/", "Eigen/", "glm/"}) {
     const std::size_t at = name.rfind("/" + library);

@@ -21,7 +21,7 @@ bool is_one_of(const Names& names, std::string_view name) {
   return std::ranges::find(names, name) != std::end(names);
 }
 
-/// The folder of a path, "" at the top; its last component; its extension, ".cpp", in lower case
+/// The folder of a path ("" at the top); its last component; its extension (".cpp"), in lower case
 /// except ".C".
 std::string folder_of(const std::string& path);
 std::string base_of(const std::string& path);
@@ -32,10 +32,11 @@ bool is_c_or_cpp(const std::string& path);
 /// A source or a header of C or C++.
 bool is_c_family(const std::string& path);
 
-/// A text without comments of C, C++, Java and JavaScript; keeps the line numbers.
+/// A C, C++, Java or JavaScript text without its comments; line numbers stay the same.
 std::string without_comments(std::string_view text);
 
-/// The tokens of C, C++ or Java: names with their dots, and every other character except spaces.
+/// The tokens of a C, C++ or Java text: names with their dots, and every other character except
+/// spaces.
 std::vector<std::string_view> words_of_code(std::string_view text);
 
 /// Whether C or C++ source contains `int main(`.
@@ -49,19 +50,21 @@ struct IncludeLine {
 };
 std::vector<IncludeLine> includes_of(std::string_view text);
 
-/// The folders of library headers, Eigen and glm, which are not sources to compile.
+/// The folders of the libraries Eigen and glm in a submission; their files are not sources to
+/// compile.
 struct Vendored {
-  std::vector<std::string> include;  ///< Include paths: those with Eigen/Dense below them.
+  /// Folders for the include path: those that contain Eigen/Dense or the like.
+  std::vector<std::string> include;
   std::vector<std::string> folders;  ///< The libraries' whole folders.
   bool has(const std::string& path) const;
 };
 Vendored vendored_in(const HandedInFiles& files);
 
-/// Whether a path lies in a folder of builds, tests or examples.
+/// Whether a path lies in a folder for builds, tests or examples.
 bool is_aside(const std::string& path);
 
-/// The submission's sources for which `holds`, without library headers; those of tests, examples
-/// and builds only if there are no others.
+/// The submission's files for which `holds` is true, without library headers. Files in folders for
+/// tests, examples and builds are included only if there are no others.
 template <class Holds>
 std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,
                                      const Holds& holds) {
@@ -73,33 +76,33 @@ std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored&
   return own.empty() ? aside : own;
 }
 
-/// How likely a file of this name starts a renderer: 0 for rt and raytracer, lower is likelier;
-/// kHardlyARenderer for names like test, backup, example.
+/// A rank of how likely a file with this name starts a renderer; lower is likelier. It is 0 for rt
+/// and raytracer, kHardlyARenderer for names like test, backup, example.
 inline constexpr int kHardlyARenderer = 4;
 int likelihood_rank(const std::string& path);
 
-/// Sorts names by likelihood_rank(), then those closer to the top first.
+/// Sorts names by likelihood_rank(); of equal ranks, names closer to the top come first.
 void sort_by_likelihood(std::vector<std::string>& names);
 
-/// A repair: an #include of a file that does not exist is replaced, or a missing one is added.
+/// A repair: replaces an #include of a file that does not exist, or adds a missing #include.
 struct IncludeRepair {
   std::string file;
-  int line = 0;         ///< From 1; 0: the #include is missing.
+  int line = 0;         ///< The line of the #include, from 1; 0 if it is missing.
   std::string name;     ///< The name as written: "../eigen/Eigen/Dense".
   std::string instead;  ///< "<Eigen/Dense>", "\"../vec.h\""
   std::string note() const;
 };
 
-/// Broken includes in the submission's files whose target is known: Eigen or glm in a folder that
-/// was not submitted, backslashes, wrong capitals, or the only file of that name in another folder.
-/// `include`: the folders that are searched.
+/// Repairs of broken includes in the submission's files whose target is known: Eigen or glm in a
+/// folder that was not submitted, backslashes, wrong capitals, or the only file of that name in
+/// another folder. `include`: the include path.
 std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
                                            const std::vector<std::string>& include);
 
 /// The missing includes that GCC suggests: "did you forget to '#include <tuple>'?"
 std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said);
 
-/// A shell command that applies repairs in a copy of the submission; empty without repairs.
+/// A shell command that applies repairs in a copy of the submission; empty if there are none.
 std::string repair_words(const std::vector<IncludeRepair>& repairs);
 
 }  // namespace raycheck::tools

@@ -18,7 +18,8 @@ using properties::Case;
 using properties::Explanation;
 using properties::Trial;
 
-/// Groups of steps whose mistakes affect each other's answers: camera, hits, nearest hit.
+/// The part to which a step belongs: camera, hits, nearest hit. Mistakes affect only answers of the
+/// same part.
 int part_of(properties::Step step) {
   return step < properties::Step::kIntersect ? 0 : step == properties::Step::kIntersect ? 1 : 2;
 }
@@ -29,7 +30,7 @@ std::vector<Case> cases_of(const ItemTrial& trial) {
   return cases;
 }
 
-/// Empty if the candidate fails, which the verdict reports.
+/// The causes; empty if the candidate fails, which the verdict reports.
 std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candidate& candidate) {
   try {
     return properties::answer_causes(cases, candidate);
@@ -50,7 +51,7 @@ bool is_among(const Explanation& alternative, const AnswerCause& cause,
   });
 }
 
-/// The cause "roundings" among the causes of all items, or null: it is reported once.
+/// The cause "roundings" among the causes of all items, or null. It is reported once.
 const AnswerCause* roundings_of(const std::vector<AnswerCause>& causes) {
   const auto found = std::find_if(causes.begin(), causes.end(),
                                   [](const AnswerCause& one) { return one.roundings.has_value(); });
@@ -61,7 +62,7 @@ double apart(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b)) ? 0 : std::abs(a - b);
 }
 
-/// Whether a direction is degenerate: NaN, or zero if the code guards the division.
+/// Whether a direction is degenerate: NaN, or 0 if the code guards the division.
 bool is_none(const scene::Vector3& direction) {
   const auto& [x, y, z] = direction;
   return std::isnan(x + y + z) || (x == 0 && y == 0 && z == 0);
@@ -86,8 +87,8 @@ std::optional<std::vector<scene::Ray>> rays_of(Trial& trial) {
   }
 }
 
-/// Whether a candidate's rays equal those of a mistake, so that nothing else is wrong with them. If
-/// the mistake's directions are degenerate, the candidate may also fail.
+/// Whether a candidate's rays equal those of a mistake, so that nothing else is wrong with them.
+/// For degenerate directions of the mistake, the candidate may also fail.
 bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& cases,
                    const Candidate& candidate) {
   Candidate mistaken = mistake.candidate;
@@ -110,7 +111,7 @@ bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& 
 
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate& candidate,
                                            std::vector<ItemTrial>& trials) {
-  // Bonus items require more than right formulas: their errors do not rule out an explanation of
+  // Bonus items require more than right formulas, so their errors do not rule out an explanation of
   // the other items.
   std::vector<Case> all, ordinary;
   for (std::size_t k = 0; k < trials.size(); ++k) {

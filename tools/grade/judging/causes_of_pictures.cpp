@@ -25,10 +25,11 @@ bool shows_something(const ImageAnswer& image) {
 /// Whether the picture has the right size.
 bool is_picture(const FailedCase& one) { return one.shown && !one.shown->sides_exchanged; }
 
-/// The wrong pixels of an item, and those left unexplained by a fault.
+/// The numbers of an item's wrong pixels, and of those that a fault does not explain.
 struct Agreement {
   std::uint64_t wrong = 0, left = 0;
-  bool shows = false;  ///< Under the fault, a failing case shows a sphere and background.
+  /// Whether, under the fault, a failing case shows both a sphere and background.
+  bool shows = false;
   bool explains(std::size_t pictures) const {
     return static_cast<double>(left) <=
            static_cast<double>(wrong) * properties::kMostLeftOfAll + static_cast<double>(pictures);
@@ -53,8 +54,9 @@ Agreement agreement(const Fault& fault, const ItemTrial& trial, bool masks_only)
   return found;
 }
 
-/// A fault under which at least this many failing pictures show something also explains the black
-/// ones; a fault that makes nearly all pictures black explains too little to charge it elsewhere.
+/// If, under a fault, at least this many failing pictures show something, the fault also explains
+/// black pictures. A fault that makes nearly all pictures black explains too little to be charged
+/// to other items.
 constexpr int kFewestShown = 3;
 
 bool shows_enough(const Fault& fault, const std::vector<ItemTrial>& trials) {
@@ -67,7 +69,7 @@ bool shows_enough(const Fault& fault, const std::vector<ItemTrial>& trials) {
   return shown >= kFewestShown;
 }
 
-/// The smallest part of a fault that explains all errors of an item.
+/// The cause of an item: the smallest part of a fault that explains all its errors.
 ItemCause cause_of(const Fault& fault, const ItemTrial& trial, bool masks_only) {
   std::vector<Fault> parts;
   for (const Mistake* mistake : fault) parts.push_back({mistake});
@@ -79,8 +81,8 @@ ItemCause cause_of(const Fault& fault, const ItemTrial& trial, bool masks_only) 
   return {};
 }
 
-/// The causes that explain all pictures or, failing that, all except those of bonus items, which
-/// require more than right formulas.
+/// The causes that explain all pictures or, if there are none, all pictures except those of bonus
+/// items, which require more than right formulas.
 Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
   const auto of = [&](bool with_bonus) {
     std::vector<ShownPicture> pictures;
@@ -93,7 +95,7 @@ Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
   const Causes all = of(true);
   if (all.kind == CauseKind::kUnknown) return of(false);
   if (!all.imprecision || all.alternatives.empty()) return all;
-  // Roundings may explain the bonus on top of the mistakes known from the other items; combined
+  // Roundings may explain the bonus items in addition to the mistakes of the other items. Together
   // with a further mistake that only bonus items show, they would explain nearly anything.
   const Causes ordinary = of(false);
   const bool is_more = !ordinary.alternatives.empty() &&
@@ -114,10 +116,10 @@ scene::Camera numbered_camera() {
   return camera;
 }
 
-/// How a mistake reads near and the bounds.
+/// How code with a mistake reads near and the bounds.
 struct Reading {
-  bool turns_near = false;     ///< near has the opposite sign.
-  bool orders_bounds = false;  ///< The given bounds are read in another order.
+  bool turns_near = false;     ///< Whether near gets the opposite sign.
+  bool orders_bounds = false;  ///< Whether the bounds are read in another order.
 };
 
 Reading reading_of(const Mistake& mistake) {
@@ -131,8 +133,8 @@ Reading reading_of(const Mistake& mistake) {
   return {false, std::is_permutation(taken.begin(), taken.end(), bounds.begin())};
 }
 
-/// Whether correct code for another form of driver files might draw the same: dialects differ in
-/// the sign of d and in the order of the bounds.
+/// Whether correct code for another form of driver files might draw the same pictures. Dialects
+/// differ in the sign of d and in the order of the bounds.
 bool is_of_driver_files(const Causes& causes) {
   return std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
                      [](const Fault& fault) {
@@ -144,7 +146,7 @@ bool is_of_driver_files(const Causes& causes) {
 }
 
 /// A near with the wrong sign in one dialect is right in the other, which orders the bounds
-/// differently: if the dialect was found by trial, the sentence names both possibilities.
+/// differently. If the dialect was found by trial, the sentence names both possibilities.
 const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
   if (!reading_of(*mistake).turns_near) return mistake;
   const auto worded = [&](const char* sentence) {
@@ -163,7 +165,8 @@ const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
 
 /// How an item fails.
 struct FailedHow {
-  bool wrong = false, exchanged = false, failed = false;  ///< For at least one picture.
+  /// At least one picture is wrong, exchanged, missing.
+  bool wrong = false, exchanged = false, failed = false;
 };
 
 FailedHow failed_how(const ItemTrial& trial) {
@@ -183,8 +186,8 @@ std::string sentence_of_kind(Causes causes) {
 
 bool masks_only(const Item& item) { return item.pictures && item.pictures->masks_only; }
 
-/// Finds and names the roundings that explain an item's wrong pictures, with or without a part of
-/// the fault.
+/// Finds and names the roundings that explain an item's wrong pictures, alone or together with a
+/// part of the fault.
 ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& trial) {
   if (!causes.imprecision) return {};
   std::vector<Fault> faults = {{}};
@@ -222,7 +225,7 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   if (cause.fault.empty()) return name_imprecision(causes, masks_only, trial);
   cause.is_all = cause.is_all || is_shown;
   const Agreement found = agreement(cause.fault, trial, masks_only);
-  // A part of a fault has its own sentence; the whole fault is named by all alternatives.
+  // A part of a fault has its own sentence; the sentence of the whole fault has all alternatives.
   std::vector<Fault> alternatives = causes.alternatives;
   if (cause.fault.size() < fault.size()) {
     alternatives.clear();

@@ -21,20 +21,21 @@ using properties::Trial;
 using properties::Verdict;
 using properties::Wrong;
 
-/// The most cases tried while shrinking a failing case: for functions, for programs that fail
-/// entirely, and for pictures, each of which starts a program.
+/// At most this many cases are tried while a failing case is shrunk: for functions, for programs
+/// that fail on everything, and for pictures, each of which starts a program.
 constexpr int kTries = 400;
 constexpr int kTriesOfFailures = 40;
 constexpr int kTriesOfPictures = 60;
 
-/// The step of the computation that a wrong quantity points to.
-std::string step_that_gives(properties::Quantity quantity) {
+/// The step of the computation that a wrong quantity points to; empty for a wrong hit class, which
+/// several steps decide: the discriminant, the root and its sign.
+std::optional<std::string> step_that_gives(properties::Quantity quantity) {
   using properties::Quantity;
   switch (quantity) {
     case Quantity::kUnitDefect:
       return std::string(info(Quantity::kDirection).name);
     case Quantity::kClass:
-      return "discriminant";
+      return {};
     case Quantity::kParameter:
       return std::string(info(Quantity::kRoot).name);
     default:
@@ -42,8 +43,8 @@ std::string step_that_gives(properties::Quantity quantity) {
   }
 }
 
-/// Whether two cameras have the same sign of near and the same order of bounds, which programs may
-/// rely on.
+/// Whether two cameras have the same sign of near and the same order of bounds, on which programs
+/// may rely.
 bool is_alike(const scene::Scene& now, const scene::Scene& before) {
   if (!before.camera) return true;
   const scene::Camera& a = *now.camera;
@@ -52,7 +53,7 @@ bool is_alike(const scene::Scene& now, const scene::Scene& before) {
          (a.bottom < a.top) == (b.bottom < b.top);
 }
 
-/// Whether the candidate's picture equals the fault's picture, up to one pixel.
+/// Whether the candidate's picture equals the fault's picture, except for at most one pixel.
 bool is_made_by(const properties::Fault& fault, const Case& the_case, const Candidate& candidate) {
   scene::Scene scene = the_case.scene;
   scene.conventions = candidate.declared.over(scene.conventions);
@@ -64,7 +65,7 @@ bool is_made_by(const properties::Fault& fault, const Case& the_case, const Cand
   }
 }
 
-/// The case reduced to one place: its ray or pixel, and its sphere.
+/// The case reduced to the ray or pixel, and the sphere, of one place.
 Case only_at(const properties::Place& place, Case the_case) {
   scene::Scene& scene = the_case.scene;
   if (place.pixel) the_case.pixels = {*place.pixel};
@@ -81,7 +82,7 @@ std::optional<std::string> first_wrong_step(Trial& trial) {
   return {};
 }
 
-/// An answer, if the candidate gives one.
+/// The candidate's answer; empty if it gives none.
 template <class Ask>
 auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
   try {
@@ -91,7 +92,7 @@ auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
   }
 }
 
-/// The candidate's answers about one ray of a trial, up to the stage of the law that it broke.
+/// The candidate's answers about one ray of a trial, up to the stage of the broken law.
 RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
   const Candidate& candidate = trial.candidate();
   RayAnswers answers;
@@ -103,7 +104,7 @@ RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
     }
     if (trial.has_rays()) answers.ray = answered([&] { return trial.rays()[ray]; });
   }
-  if (!speaks_of_intersections(broken) || !trial.has_rays() || !candidate.intersect) return answers;
+  if (!is_about_intersections(broken) || !trial.has_rays() || !candidate.intersect) return answers;
   answers.hits = answered([&] {
     std::map<std::size_t, properties::HitAnswer> hits;
     for (std::size_t k = 0; k < trial.scene().spheres.size(); ++k) {
@@ -114,8 +115,8 @@ RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
   return answers;
 }
 
-/// The answers about the ray of a place, or about the first ray. A law may use pixels that are not
-/// in its case.
+/// The answers about the ray of a place, which need not be in the case (a law may use other
+/// pixels); if the place has no pixel, about the first ray.
 RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& broken) {
   if (!trial.scene().camera) return ray_answers(trial, place.ray, broken);
   if (!place.pixel) return ray_answers(trial, std::size_t{0}, broken);
@@ -166,7 +167,7 @@ bool keeps_state(const FailedCase& failed, const GradedCandidate& graded) {
   if (is_right(at_place)) return false;
   graded.candidate.restart();
   const bool is_right_first = is_right(at_place);
-  graded.candidate.forget_silence();
+  graded.candidate.reset_timeouts();
   return is_right_first;
 }
 
@@ -207,7 +208,7 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
   if (first.failure != FailureKind::kTimeUp) {
     const Verdict verdict = apply(*first.broken, trial);
     if (verdict.holds()) return {};
-    // A program that failed may have been dropped, so the first discrepancy stays.
+    // A program that failed may have been dropped, so its first discrepancy stays.
     if (d.wrong != Wrong::kFailed) d = verdict.worst(1).front();
   }
   FailingCase failing{

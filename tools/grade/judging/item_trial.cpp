@@ -35,8 +35,8 @@ std::optional<ItemCase> ItemCases::operator[](std::size_t k) const {
   if (!found || !round()) return {};
   if (!task_.given_rays) return found;
   found->the_case.scene.conventions = declared_.over(found->the_case.scene.conventions);
-  auto alone = properties::alone(found->the_case, properties::Stage::kIntersection,
-                                 candidate_of(kDefaultMethods));
+  auto alone = properties::case_of_stage(found->the_case, properties::Stage::kIntersection,
+                                         candidate_of(kDefaultMethods));
   if (!alone) return {};
   found->the_case = std::move(*alone);
   if (!round()) return {};
@@ -80,14 +80,19 @@ using properties::Wrong;
 
 /// The outcome of a case.
 struct CaseOutcome {
-  bool answers = false;    ///< The case has something to ask.
-  bool is_unsaid = false;  ///< The candidate's form of input cannot express the case.
+  bool answers = false;           ///< The case has something to ask.
+  bool is_inexpressible = false;  ///< The candidate's form of input cannot express the case.
   std::uint64_t compared = 0;
   properties::Verdict verdict;  ///< By all laws.
   ItemReason unanswered;        ///< Why some questions were not answered.
   const properties::Law* broken = nullptr;
   std::optional<properties::Discrepancy> discrepancy;
-  std::optional<FailureKind> failure;  ///< The candidate's failure, if it breaks the law.
+  std::optional<FailureKind> failure;   ///< The candidate's failure, if it breaks the law.
+  std::optional<ShownPicture> picture;  ///< Of a renderer.
+  bool is_unidentified = false;         ///< Its colours do not identify the spheres.
+
+  bool failed() const { return discrepancy && discrepancy->wrong == Wrong::kFailed; }
+  bool timed_out() const { return failure == FailureKind::kTimeUp; }
   bool is_answered() const { return unanswered.kind == ItemReason::Kind::kNone; }
   bool holds() const { return broken == nullptr && is_answered(); }
 };
@@ -98,11 +103,8 @@ bool misses_hits(Trial& trial) {
   for (const Law& law : properties::laws()) {
     if (!judges_decisions(law) || !needs_any(law.needs, Needs::kIntersect)) continue;
     if (!what_is_missing(law.needs, trial).empty()) continue;
-    const auto defects = apply(law, trial).defects();
-    if (std::any_of(defects.begin(), defects.end(), [](const properties::DefectKind& defect) {
-          return defect.wrong == Wrong::kMissed || defect.wrong == Wrong::kWrongRoot;
-        })) {
-      return true;
+    for (const properties::DefectKind& defect : apply(law, trial).defects()) {
+      if (defect.wrong == Wrong::kMissed || defect.wrong == Wrong::kWrongRoot) return true;
     }
   }
   return false;
@@ -119,16 +121,42 @@ bool has_hits(Trial& trial) {
   return false;
 }
 
-/// Whether the candidate's answers give a law less to compare than the scene offers.
-bool is_unanswered(const Law& law, Trial& trial) {
-  if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return false;
-  const bool lacks_functions = !what_is_missing(law.needs, trial).empty();
+/// The first function that a law needs and the candidate lacks, "frame()"; empty if there is none.
+std::string missing_function(const Law& law, const Trial& trial) {
+  const Candidate& candidate = trial.candidate();
+  const bool from_pixel = trial.conventions().origin == scene::Origin::kPixel;
+  const auto lacks = [&](Needs need, const auto& function) {
+    return needs_any(law.needs, need) && !function;
+  };
+  if (lacks(Needs::kFrame, candidate.frame)) return "frame()";
+  if (lacks(Needs::kPixelPoints, candidate.pixel_points)) return "pixel_point()";
+  if (lacks(Needs::kBothOrigins, candidate.pixel_rays)) return "pixel_ray()";
+  if (lacks(Needs::kBothOrigins, candidate.focal_rays)) return "focal_ray()";
+  if (trial.scene().camera && needs_any(law.needs, Needs::kRays | Needs::kMadeRays) &&
+      !trial.has_rays()) {
+    return from_pixel ? "pixel_ray()" : "focal_ray()";
+  }
+  if (lacks(Needs::kIntersect, candidate.intersect)) return "intersect()";
+  if (lacks(Needs::kNearest, candidate.nearest)) return "nearest()";
+  return {};
+}
+
+/// Why the candidate's answers give a law less to compare than the scene offers, if they do.
+ItemReason why_unanswered(const Law& law, Trial& trial) {
+  if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return {};
+  ItemReason reason = {.kind = ItemReason::Kind::kUnanswered,
+                       .law = std::string(law.name),
+                       .said = std::string(what_is_missing(law.needs, trial)),
+                       .function = missing_function(law, trial)};
+  const bool lacks_functions = !reason.said.empty();
   // The law "class" also compares misses; laws without a stage compare hits if there are any.
   const bool is_of_class = judges_decisions(law) && law.quantity == properties::Quantity::kClass;
   const bool compares_hits =
       needs_any(law.needs, Needs::kIntersect) || (needs_any(law.needs, Needs::kRays) && !law.stage);
-  if (is_of_class || !compares_hits) return lacks_functions;
-  return has_hits(trial) && (lacks_functions || misses_hits(trial));
+  if (is_of_class || !compares_hits) return lacks_functions ? reason : ItemReason{};
+  if (!has_hits(trial) || !(lacks_functions || misses_hits(trial))) return {};
+  if (!lacks_functions) reason.said = "a hit that is missed or has the wrong root is not compared";
+  return reason;
 }
 
 /// Tries the laws on a case.
@@ -140,11 +168,13 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
   for (const Law* law : laws) {
     Verdict verdict = apply(*law, trial);
     // In pictures every pixel is compared.
-    const bool unanswered = !graded.pictures && verdict.holds() && is_unanswered(*law, trial);
+    ItemReason unanswered;
+    if (!graded.pictures && verdict.holds()) unanswered = why_unanswered(*law, trial);
+    const bool is_unanswered = unanswered.kind != ItemReason::Kind::kNone;
     outcome.compared += verdict.compared();
-    outcome.answers = outcome.answers || verdict.compared() > 0 || unanswered;
+    outcome.answers = outcome.answers || verdict.compared() > 0 || is_unanswered;
     // A renderer with its own colours does not identify the spheres.
-    const bool is_untold =
+    const bool is_unidentified =
         graded.pictures && !graded.masks_only && the_case.scene.spheres.size() > 1;
     if (!verdict.holds()) {
       if (outcome.broken != nullptr) continue;
@@ -153,16 +183,15 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
       if (outcome.discrepancy->wrong == properties::Wrong::kFailed && graded.last_failure) {
         outcome.failure = *graded.last_failure;
       }
-    } else if (is_untold && !verdict.reason_left_out().empty()) {
+    } else if (is_unidentified && !verdict.reason_left_out().empty()) {
       outcome.unanswered = {.kind = ItemReason::Kind::kOtherColours};
-    } else if (unanswered && outcome.is_answered()) {
-      outcome.unanswered = {.kind = ItemReason::Kind::kUnanswered,
-                            .law = std::string(law->name),
-                            .said = verdict.reason_left_out()};
+    } else if (is_unanswered && outcome.is_answered()) {
+      outcome.unanswered = std::move(unanswered);
     }
     outcome.verdict.merge(std::move(verdict));
   }
-  outcome.is_unsaid = graded.last_failure && *graded.last_failure == FailureKind::kCannotSay;
+  outcome.is_inexpressible =
+      graded.last_failure && *graded.last_failure == FailureKind::kCannotExpress;
   return outcome;
 }
 
@@ -172,7 +201,7 @@ constexpr std::size_t kKeptCases = 8;
 /// After this many cases of an item on which a program fails entirely, or does not end in time, the
 /// others are skipped.
 constexpr int kMostFailures = 8;
-constexpr int kMostSilentCases = 3;
+constexpr int kMostTimedOut = 3;
 
 /// A quantity whose answers are all excused and never right: they earn nothing.
 std::optional<properties::Quantity> never_right(const Verdict& verdict) {
@@ -196,22 +225,51 @@ bool never_hits(const Verdict& verdict) {
 
 /// Whether most pixels that show a sphere identify it.
 bool tells_spheres(const ShownPicture& picture) {
-  const auto& image = picture.image;
-  const auto spheres =
-      std::count_if(image.begin(), image.end(), [](const auto& one) { return one.has_value(); });
-  const auto untold =
-      std::count(image.begin(), image.end(), std::optional(properties::kSomeSphere));
-  return 2 * untold <= spheres;
+  const auto shows = [](const auto& pixel) { return pixel.has_value(); };
+  return 2 * std::ranges::count(picture.image, std::optional(properties::kSomeSphere)) <=
+         std::ranges::count_if(picture.image, shows);
 }
 
-/// The outcome of all cases. `is_untold`: in some cases the colours do not identify the spheres.
-void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
-  if (grade.cases == 0 && (is_untold || grade.unsaid > 0)) {
+/// Tries the laws on a case; of a renderer, also gets its picture.
+CaseOutcome ask(const std::vector<const Law*>& laws, const Case& the_case,
+                const GradedCandidate& graded) {
+  CaseOutcome outcome = try_case(laws, the_case, graded);
+  if (!graded.pictures || !outcome.answers) return outcome;
+  // The picture was just drawn and is reused; a time-out is not repeated.
+  if (!outcome.timed_out()) {
+    outcome.picture = properties::shown_picture(the_case.scene, graded.unmasked);
+  }
+  if (outcome.broken == nullptr && outcome.unanswered.kind == ItemReason::Kind::kOtherColours) {
+    outcome.is_unidentified = !tells_spheres(*outcome.picture);
+    outcome.unanswered = {};
+  }
+  return outcome;
+}
+
+/// Counts a case, and keeps it if it broke a law.
+void count(ItemCase item_case, CaseOutcome outcome, std::size_t most_kept, ItemTrial& trial) {
+  ItemGrade& grade = trial.grade;
+  ++grade.cases;
+  grade.comparisons += outcome.compared;
+  if (outcome.holds()) {
+    ++grade.held;
+    return;
+  }
+  if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
+  if (outcome.broken == nullptr || trial.failed.size() >= most_kept) return;
+  trial.failed.push_back({std::move(item_case), outcome.broken, *outcome.discrepancy,
+                          outcome.failure, std::move(outcome.picture)});
+}
+
+/// The outcome of all cases. `is_unidentified`: in some cases the colours do not identify the
+/// spheres.
+void finish(const Verdict& all, bool is_unidentified, ItemGrade& grade) {
+  if (grade.cases == 0 && (is_unidentified || grade.unsaid > 0)) {
     // The item can be neither right nor wrong.
     grade.points = 0;
     grade.state = ItemState::kNotAsked;
     grade.reason.kind =
-        is_untold ? ItemReason::Kind::kOtherColours : ItemReason::Kind::kCannotBeSaid;
+        is_unidentified ? ItemReason::Kind::kOtherColours : ItemReason::Kind::kCannotBeSaid;
     return;
   }
   if (grade.cases == 0) grade.reason = {.kind = ItemReason::Kind::kNothingToCompare};
@@ -230,12 +288,13 @@ void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
 
 ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCandidate& graded,
                    const std::function<ItemReason()>& reason_to_stop, ItemGrade given) {
-  ItemTrial trial;
-  ItemGrade& grade = trial.grade = std::move(given);
+  ItemTrial trial{std::move(given), {}, {}, {}};
+  ItemGrade& grade = trial.grade;
   Verdict all;
-  int failed_altogether = 0, silent = 0;
-  bool is_untold = false;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
+  int failures = 0, timed_out = 0;
+  bool is_unidentified = false;
+  std::size_t k = 0;
+  for (; k < cases.size() && failures < kMostFailures && timed_out < kMostTimedOut; ++k) {
     if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
       grade.state = ItemState::kNotJudged;
       grade.reason = std::move(reason);
@@ -244,44 +303,22 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
     }
     std::optional<ItemCase> item_case = cases[k];
     if (!item_case) continue;
-    CaseOutcome outcome = try_case(task.laws, item_case->the_case, graded);
+    CaseOutcome outcome = ask(task.laws, item_case->the_case, graded);
     all.merge(std::move(outcome.verdict));
-    if (outcome.is_unsaid) ++grade.unsaid;
-    if (!outcome.answers) continue;
-    std::optional<ShownPicture> picture;
-    // The picture was just drawn and is reused; a time-out is not repeated.
-    const bool timed_out = outcome.failure == FailureKind::kTimeUp;
-    if (graded.pictures && !timed_out)
-      picture = properties::shown_picture(item_case->the_case.scene, graded.unmasked);
-    if (picture) trial.pictures.push_back(*picture);
-    if (outcome.broken == nullptr && outcome.unanswered.kind == ItemReason::Kind::kOtherColours) {
-      if (!tells_spheres(*picture)) {
-        is_untold = true;
-        continue;
-      }
-      outcome.unanswered = {};
-    }
-    ++grade.cases;
-    grade.comparisons += outcome.compared;
-    if (outcome.holds()) {
-      ++grade.held;
-      continue;
-    }
-    if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
-    if (outcome.broken == nullptr) continue;
-    failed_altogether += outcome.discrepancy->wrong == properties::Wrong::kFailed ? 1 : 0;
-    silent += timed_out ? 1 : 0;
-    if (graded.pictures || trial.failed.size() < kKeptCases) {
-      trial.failed.push_back({std::move(*item_case), outcome.broken, *outcome.discrepancy,
-                              outcome.failure, std::move(picture)});
-    }
-    if (failed_altogether < kMostFailures && silent < kMostSilentCases) continue;
-    grade.cases += cases.size() - k - 1;
-    while (++k < cases.size()) {
-      if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
-    }
+    if (outcome.is_inexpressible) ++grade.unsaid;
+    if (outcome.failed()) ++failures;
+    if (outcome.timed_out()) ++timed_out;
+    if (outcome.picture) trial.pictures.push_back(*outcome.picture);
+    if (outcome.is_unidentified) is_unidentified = true;
+    if (!outcome.answers || outcome.is_unidentified) continue;
+    count(std::move(*item_case), std::move(outcome), graded.pictures ? cases.size() : kKeptCases,
+          trial);
   }
-  finish(all, is_untold, grade);
+  grade.cases += cases.size() - k;
+  for (; k < cases.size(); ++k) {
+    if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
+  }
+  finish(all, is_unidentified, grade);
   return trial;
 }
 

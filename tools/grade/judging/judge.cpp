@@ -20,7 +20,7 @@ using properties::Quantity;
 
 namespace {
 
-/// A cause that costs one item its points.
+/// A cause that is charged to one item.
 using Charge = std::variant<const Mistake*, OtherCause>;
 
 std::vector<Charge> charges(const ItemCause& cause) {
@@ -29,7 +29,7 @@ std::vector<Charge> charges(const ItemCause& cause) {
   return all;
 }
 
-/// Whether a mistake is made at the step that an item asks about.
+/// Whether a mistake is made at the step about which an item asks.
 bool is_of_step(const Charge& charge, const Item& item) {
   const auto* const mistake = std::get_if<const Mistake*>(&charge);
   return mistake != nullptr && step_of(item) == (*mistake)->step;
@@ -68,7 +68,7 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
   for (std::size_t k = 0; k < trials.size(); ++k) {
     ItemGrade& grade = trials[k].grade;
     const std::vector<Charge> its = charges(causes[k]);
-    // Bonus points are earned by right answers only.
+    // Only right answers get bonus points.
     const bool follows = grade.state == ItemState::kFails && !rubric.items[k].bonus &&
                          causes[k].is_all && !its.empty() &&
                          std::all_of(its.begin(), its.end(),
@@ -119,7 +119,7 @@ class Judge {
         before_(judged_.spent ? judged_.spent->so_far() : SpentTime::Time{}) {
     Candidate& candidate = judged_.candidate;
     candidate.declared = rubric.conventions.over(candidate.declared);
-    // Valid roots or a domain that a submission declares would exclude cases of the rubric.
+    // If a submission could declare valid roots or a domain, it could exclude cases of the rubric.
     candidate.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
     candidate.smallest_length = candidate.smallest_camera_length =
         std::min(candidate.smallest_length, properties::kSmallestJudgedLength);
@@ -133,7 +133,7 @@ class Judge {
     for (std::size_t k = 0; k < rubric_.items.size(); ++k) trials.push_back(try_item_at(k));
     std::vector<ItemCause> causes(trials.size());
     try {
-      // Answers that depend on earlier questions say nothing about formulas.
+      // If answers depend on earlier questions, they say nothing about formulas.
       if (!name_kept_state(trials)) {
         causes = judged_.pictures
                      ? causes_of_pictures(rubric_, judged_.form_known, judged_.dialect, trials)
@@ -159,7 +159,7 @@ class Judge {
   }
 
  private:
-  /// Why to stop asking, if there is a reason.
+  /// The reason to stop asking, if there is one.
   ItemReason reason_to_stop() const {
     if (control_.interrupted()) return {.kind = ItemReason::Kind::kInterrupted};
     if (!judged_.spent || judged_.spent->seconds_since(before_) < rubric_.seconds) return {};
@@ -208,7 +208,7 @@ class Judge {
     }
   }
 
-  /// Leaves an item out if another one that it needs lacks points.
+  /// Leaves an item out if an item that it needs does not have all points.
   static void leave_out_what_needs_others(const Item& item, const std::vector<ItemGrade>& before,
                                           ItemGrade& grade) {
     if (grade.state == ItemState::kNotAsked) return;
@@ -223,8 +223,8 @@ class Judge {
     }
   }
 
-  /// Names kept state as the mistake of each item whose first failure is answered rightly by a
-  /// fresh process.
+  /// If a fresh process answers the first failure of an item rightly, names kept state as the
+  /// item's mistake.
   bool name_kept_state(std::vector<ItemTrial>& trials) const {
     bool is_kept = false;
     for (std::size_t k = 0; k < trials.size(); ++k) {
@@ -239,7 +239,7 @@ class Judge {
     return is_kept;
   }
 
-  /// The smallest case of an item's first failure.
+  /// Shrinks an item's first failure, and stores the smallest case.
   void show_failure(std::size_t index, const Fault& fault, ItemTrial& trial) {
     if (trial.failed.empty()) return;
     const FailedCase& first = trial.failed.front();

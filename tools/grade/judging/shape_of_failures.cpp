@@ -8,7 +8,8 @@ namespace {
 
 using Tried = std::vector<properties::TriedScene>;
 
-/// The shape of the scenes without a picture, if the items together determine it.
+/// The property ("wider than high", "several spheres") that exactly those scenes have for which no
+/// picture was made, if all items together determine it.
 std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTrial>& trials) {
   Tried tried;
   for (const ItemTrial& trial : trials) {
@@ -20,8 +21,8 @@ std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTria
   return properties::shape_cause(tried);
 }
 
-/// The shape of the failing scenes if only non-square pictures are wrong or missing, and most of
-/// them are; pictures that are right by luck do not count.
+/// The property of the failing scenes, if all failing pictures are not square. Right pictures that
+/// are not square may be right by luck; they must be fewer than the failing ones, and do not count.
 std::optional<properties::ShapeCause> oblong_failures(const Rubric& rubric,
                                                       const std::vector<ItemTrial>& trials,
                                                       bool with_bonus) {

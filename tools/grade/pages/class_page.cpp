@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBins = 10;
 
-/// 0 if the submission has no points to earn.
+/// The share of the points; 0 if there are no points to earn.
 double share_of(const SubmissionGrade& grade) {
   return grade.points > 0 ? (grade.score - grade.bonus) / grade.points : 0;
 }
@@ -46,7 +46,7 @@ std::string distribution(const ClassGrade& graded) {
   return html + "</table>\n";
 }
 
-/// A row about what an item tests, and why.
+/// A row that says what an item tests, and why.
 std::string about(const Item& item) {
   std::string html;
   for (const std::string& text : {item.asks, item.why}) {
@@ -88,7 +88,7 @@ std::string link(const SubmissionGrade& grade) {
   return fmt::format("<a href=\"{}\">{}</a>", address_of(grade, kReportFile), escaped(grade.name));
 }
 
-/// A link to a submission's page of figures; empty if its student gets none.
+/// A link to a submission's page of figures; empty if its student gets no figures.
 std::string figures_link(const ClassGrade& graded, const SubmissionGrade& grade) {
   if (!has_figures(student_grade(graded.rubric, grade, HiddenBy::kUs))) return "";
   return fmt::format(" <a href=\"{}\" aria-label=\"figures of {}\">figures</a>",
@@ -100,7 +100,7 @@ std::string links(const Submissions& members) {
   return "<p>" + scene::joined(members, ", ", link_of) + "</p>\n";
 }
 
-/// The smallest failing case of a mistake, shown and offered for download.
+/// The smallest failing case of a mistake, shown and for download.
 std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
   const FailingCase& failing = *item.failing;
   const std::string name = file_name(item.name);
@@ -134,8 +134,7 @@ std::string not_judged(const ClassGrade& graded) {
   const Submissions all = submissions_that(graded, false);
   if (all.empty()) return "";
   std::string html =
-      "<h2>Could not be judged</h2>\n<p>These submissions could not be run: the numbers above do "
-      "not include them.";
+      "<h2>Could not be judged</h2>\n<p>The numbers above do not include these submissions.";
   if (graded.rubric.unjudged > 0) {
     html +=
         fmt::format(" The rubric gives them {:g}% of the points.", 100 * graded.rubric.unjudged);
@@ -151,11 +150,12 @@ std::string not_judged(const ClassGrade& graded) {
   return html;
 }
 
-/// The submissions whose total lacks cases.
-std::string unsaid(const ClassGrade& graded) {
+/// A text about the submissions whose totals lack cases that cannot be written in their input
+/// format.
+std::string inexpressible(const ClassGrade& graded) {
   std::string html;
   for (const SubmissionGrade& grade : graded.submissions) {
-    const std::string text = unsaid_text(grade);
+    const std::string text = inexpressible_text(grade);
     if (!text.empty()) html += "<p>" + link(grade) + ": " + text + "</p>\n";
   }
   return html.empty() ? "" : "<h2>Cases that were not asked</h2>\n" + html;
@@ -190,7 +190,7 @@ std::string everyone(const ClassGrade& graded) {
   return html + "</table></div>\n";
 }
 
-/// Files whose content a reader cannot judge: binaries, pictures, large files.
+/// A list of files whose content a human reader cannot judge: binaries, pictures, large files.
 std::string opaque(const ClassGrade& graded) {
   constexpr std::size_t kMostListed = 8;
   std::string rows;
@@ -237,12 +237,12 @@ std::string summary(const ClassGrade& graded) {
 
 }  // namespace
 
-/// A self-contained page for instructors: the scores, the items that fail most, the most frequent
-/// mistakes.
+/// A self-contained page for instructors with the scores, the items that fail most and the most
+/// frequent mistakes.
 std::string class_page(const ClassGrade& graded) {
   return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
-                                       mistakes(graded) + not_judged(graded) + unsaid(graded) +
-                                       opaque(graded) + everyone(graded));
+                                       mistakes(graded) + not_judged(graded) +
+                                       inexpressible(graded) + opaque(graded) + everyone(graded));
 }
 
 }  // namespace raycheck::tools

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "scene/text.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/record.h"
 #include "tools/grade/results/result.h"
@@ -13,7 +14,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A line per submission, and its mistake.
+/// A line for each submission, with its mistake.
 std::string submission_lines(const ClassGrade& graded) {
   std::size_t width = 0;
   for (const SubmissionGrade& grade : graded.submissions) {
@@ -40,6 +41,9 @@ std::string submission_lines(const ClassGrade& graded) {
       if (!words.empty()) text += fmt::format("{:<{}}    {}\n", "", width, words);
     };
     if (is_judged) line(time_up_text(grade));
+    if (!is_judged && !graded.out.empty()) {
+      line(fmt::format("see {}/{}/{}", graded.out, line_text(grade.name), kReportFile));
+    }
     line(mistake_text(grade));
     for (const std::string& note : grade.notes) line(line_text(note));
   }
@@ -57,15 +61,21 @@ std::string class_text(const ClassGrade& graded) {
   const bool is_one = graded.submissions.size() == 1;
   text += is_one ? submission_text(items, graded.submissions.front()) : submission_lines(graded);
   if (is_one && !graded.out.empty()) {
-    text +=
-        fmt::format("see {}/{}/report.html\n", graded.out, line_text(graded.submissions[0].name));
+    text += fmt::format("see {}/{}/{}\n", graded.out, line_text(graded.submissions[0].name),
+                        kReportFile);
   }
   if (graded.interrupted) {
     text += "INTERRUPTED: run the same command again to continue.\n";
   }
-  text += count_text(graded.submissions.size(), "submission") + " graded";
+  if (!graded.isolation) {  // no submission was given
+    return text + "graded: raycheck's own " +
+           scene::joined(graded.submissions, " and ", &SubmissionGrade::name) + "\n";
+  }
+  const std::size_t all = graded.submissions.size();
   const std::size_t not_judged = submissions_that(graded, false).size();
-  if (not_judged > 0) text += fmt::format(", {} could not be judged", not_judged);
+  text += not_judged == 0 ? fmt::format("{} graded", count_text(all, "submission"))
+                          : fmt::format("{} of {} graded; {} could not be judged", all - not_judged,
+                                        count_text(all, "submission"), not_judged);
   if (graded.not_graded > 0) {
     text += fmt::format(
         ", {} of them for reasons outside the submission: run the same command to retry",
@@ -87,8 +97,8 @@ std::string csv_note(const SubmissionGrade& grade) {
 
 }  // namespace
 
-/// A row per submission, a column per item. A submission that could not be judged has no points
-/// except those that the rubric gives such submissions.
+/// A row for each submission, a column for each item. A submission that could not be judged has
+/// only the points that the rubric gives such submissions.
 std::string class_csv(const ClassGrade& graded) {
   std::string text = "submission,score,points";
   for (const Item& item : graded.rubric.items) text += "," + csv_cell(item.name);

@@ -17,7 +17,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// What pages call the student's own submission.
+/// The name of the student's submission on pages.
 constexpr const char* kYours = "yours";
 
 using properties::Candidate;
@@ -27,7 +27,7 @@ struct NotAsked : std::runtime_error {
   NotAsked() : std::runtime_error("it was not asked") {}
 };
 
-/// The hits of the one ray with spheres of the case.
+/// The stored hits of the one ray with spheres of the case.
 properties::SphereHits hits_of(const FailingCase& failing, const scene::Sphere& sphere) {
   const auto& spheres = failing.the_case.scene.spheres;
   const auto known = std::ranges::find(spheres, sphere);
@@ -71,9 +71,9 @@ Candidate candidate_that_answered(const FailingCase& failing, const Tolerance& t
   return candidate;
 }
 
-/// A submission's stored answers about a failing case, as a method that repeats them without
-/// running the submission. The item's tolerance applies; null if there are no stored answers or
-/// they are withheld.
+/// An implementation that repeats a submission's stored answers about a failing case, without
+/// running the submission, with the item's tolerance. Null if there are no stored answers or they
+/// are withheld.
 std::shared_ptr<const Implementation> answered(const FailingCase& failing,
                                                const Tolerance& tolerance,
                                                const Layers& isolation) {
@@ -85,13 +85,13 @@ std::shared_ptr<const Implementation> answered(const FailingCase& failing,
       .make = [candidate = candidate_that_answered(failing, tolerance)] { return candidate; }});
 }
 
-/// The most spheres of a ray that get a panel: the failing one, then the others in order.
+/// At most this many spheres of a ray get a panel: the failing one first, then the others in order.
 constexpr std::size_t kMostSpheresShown = 8;
 
-/// What was judged, and the other spheres that the ray may meet.
+/// Selections for the judged answer, and for other spheres that the ray may meet.
 std::vector<Selection> wanted_of(const FailingCase& failing) {
   std::vector<Selection> wanted = selections_of(failing.the_case, failing.answer.place);
-  // Only this ray's answers are stored.
+  // Only the answers about this ray are stored.
   wanted.resize(std::min<std::size_t>(wanted.size(), 1));
   if (wanted.empty() || !failing.answers || !failing.answers->hits) return wanted;
   Selection other = wanted.front();
@@ -113,7 +113,7 @@ std::string sentence_of(const Item& item, const WrongAnswer& answer) {
   return text;
 }
 
-/// Whether a step of the first selection is wrong; relations between answers belong to no step.
+/// Whether a step of the first selection is wrong. (Relations between answers belong to no step.)
 bool goes_wrong(const SceneView& shown) {
   if (shown.panels.empty()) return false;
   const std::vector<std::string>& wrong = shown.panels.front().wrong;
@@ -157,7 +157,7 @@ bool has_figures(const StudentGrade& grade) {
 }
 
 std::string figures_page(const StudentGrade& grade) {
-  // A page that is begun is finished despite interrupts: this is quick.
+  // A page that is begun is finished despite interrupts, since that is quick.
   const std::function<bool()> never = [] { return false; };
   const scene::Interruptible until_done(never);
   ViewDocument document;

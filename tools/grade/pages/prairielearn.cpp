@@ -11,8 +11,8 @@ std::string prairielearn_results(const StudentGrade& grade) {
   const SubmissionGrade& submission = grade.submission;
   const std::string refused = submission.refused ? refusal_text(*submission.refused) : "";
   Json json;
-  // A submission that cannot run does not use up an attempt, unless the rubric gives it points:
-  // they would be lost.
+  // A submission that cannot run does not use up an attempt, unless the rubric gives it points,
+  // which would be lost.
   json["gradable"] = !submission.refused || submission.score > 0;
   if (!json["gradable"]) json["format_errors"] = Json::array({refused});
   json["score"] = submission.points > 0 ? std::min(submission.score / submission.points, 1.0) : 0.0;
@@ -23,13 +23,13 @@ std::string prairielearn_results(const StudentGrade& grade) {
   json["tests"] = Json::array();
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
     const Item& item = *grade.items[k];
-    const ItemGrade& told = submission.items[k];
-    if (told.state == ItemState::kNotAsked) continue;
+    const ItemGrade& graded = submission.items[k];
+    if (graded.state == ItemState::kNotAsked) continue;
     json["tests"].push_back({{"name", item.name},
                              {"description", item.asks},
-                             {"points", told.score},
-                             {"max_points", told.points},
-                             {"message", name(told.state)},
+                             {"points", graded.score},
+                             {"max_points", graded.points},
+                             {"message", name(graded.state)},
                              {"output", item_text(grade, k)}});
   }
   return json_text(json);

@@ -21,7 +21,7 @@ std::string row(std::string_view term, std::string_view text) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escaped(text));
 }
 
-/// A file's text, collapsed at first.
+/// The text of a file, collapsed at first.
 std::string file_html(const std::string& name, const std::string& text) {
   return "<details class=\"file\"><summary>" + escaped(name) + "</summary><pre>" + escaped(text) +
          "</pre></details>\n";
@@ -30,9 +30,9 @@ std::string file_html(const std::string& name, const std::string& text) {
 std::string failing_html(const FailingCase& failing) {
   const WrongAnswer& answer = failing.answer;
   return pictures_html(failing) + "<dl>\n" + row("the law", law_text(failing)) +
-         row("smallest failing case", answer_text(answer)) + row("yours", got_text(answer)) +
+         row("wrong answer", answer_text(answer)) + row("yours", got_text(answer)) +
          row("exact", exact_text(answer)) + row("goes wrong at", failing.step.value_or("")) +
-         row("found in", origin_text(failing.origin)) + "</dl>\n";
+         row("smallest case found, from", origin_text(failing.origin)) + "</dl>\n";
 }
 
 std::string command_html(const HomeCommand& command) {
@@ -42,18 +42,20 @@ std::string command_html(const HomeCommand& command) {
 /// The mistake, the hint, the failing case and the commands that repeat it.
 std::string next_steps(const StudentGrade& grade, std::size_t k) {
   const Item& item = *grade.items[k];
-  const ItemGrade& told = grade.submission.items[k];
+  const ItemGrade& graded = grade.submission.items[k];
   std::string steps;
   const auto step = [&](const std::string& html) { steps += "<li>" + html + "</li>\n"; };
-  for (const ExplainingMistake& mistake : told.mistakes) {
-    step("<strong>" + escaped(mistake_text(told, mistake)) + "</strong>");
+  for (const ExplainingMistake& mistake : graded.mistakes) {
+    step("Correct the mistake: <strong>" + escaped(mistake_text(graded, mistake)) + "</strong>");
   }
-  if (!item.hint.empty()) step("Hint: " + escaped(item.hint));
+  if (const std::string hint = hint_text(item, graded); !hint.empty()) {
+    step("Hint: " + escaped(hint));
+  }
   std::string files;
-  if (told.failing) {
+  if (graded.failing) {
     const std::string name = file_name(item.name);
-    const std::string scene = scene_text(*told.failing);
-    const std::string driver = driver_file_text(*told.failing, grade.submission.driver);
+    const std::string scene = scene_text(*graded.failing);
+    const std::string driver = driver_file_text(*graded.failing, grade.submission.driver);
     std::string links = "Save the case beside your program: ";
     if (!driver.empty()) {
       links += download(name + ".txt", driver) + " (driver file), ";
@@ -67,7 +69,7 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
-/// `figure`: the address of the item's figure; or empty.
+/// `figure`: the address of the item's figure, or empty.
 std::string item_html(const StudentGrade& all, std::size_t k, const std::string& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];
@@ -154,7 +156,7 @@ std::string report_page(const StudentGrade& grade) {
     html += "<p>Your program: " + escaped(note) + "</p>\n";
   }
   if (submission.refused) {
-    html += "<h2>Your submission could not be run</h2>\n<pre>" +
+    html += "<h2>Why your submission could not be judged</h2>\n<pre>" +
             escaped(refusal_text(*submission.refused)) + "</pre>\n";
   } else {
     std::size_t shown = 0;
@@ -168,8 +170,9 @@ std::string report_page(const StudentGrade& grade) {
   }
   html += "<div>" + command_html(command_for_all(grade)) + "</div>\n";
   if (grade.unlisted > 0) html += "<p class=\"quiet\">" + unlisted_text(grade) + ".</p>\n";
-  if (submission.program) {
-    html += fmt::format("<p class=\"quiet\">run as {}, isolated by: {}</p>\n",
+  // A refused program may be none: its command line may still have the rubric's placeholders.
+  if (submission.program && could_be_judged(submission)) {
+    html += fmt::format("<p class=\"quiet\">raycheck ran it as {}; it was isolated by {}.</p>\n",
                         escaped(submission.program->text()), escaped(submission.isolation.text()));
   }
   return page(grade.title + ": " + submission.name, html);

@@ -10,8 +10,8 @@
 
 namespace raycheck::tools {
 
-/// A view of a graded class, for instructors: what the command prints with `--format NAME`, or the
-/// file NAME beside the submissions' folders.
+/// A view of a graded class, for instructors: printed with `--format NAME`, or written to the file
+/// NAME beside the submissions' folders.
 struct ClassView {
   std::string_view name;
   std::string (*render)(const ClassGrade&);
@@ -27,7 +27,8 @@ inline constexpr ClassView kPrintedViews[] = {
     {"text", class_text}, {"json", class_json}, {"csv", class_csv}};
 inline constexpr ClassView kClassFiles[] = {{"grades.csv", class_csv}, {"index.html", class_page}};
 
-/// The file results.json of each submission for a course's system, with `--format NAME`.
+/// A format of results.json, a file of each submission for a course's system; chosen by `--format
+/// NAME`.
 struct ResultsFormat {
   std::string_view name;
   HiddenBy hidden_by;
@@ -45,25 +46,29 @@ inline constexpr ResultsFormat kResultsFormats[] = {
 inline constexpr const char* kReportFile = "report.html";
 inline constexpr const char* kFiguresFile = "figures.html";
 
-/// A student's page of all items, self-contained except for links to that of figures.
+/// A student's page of all items. It is self-contained except for links to the page of figures.
 std::string report_page(const StudentGrade& grade);
 
-/// At most two decimals, without trailing zeros: "7", "2.5".
+/// Points with at most two decimals, without trailing zeros: "7", "2.5".
 std::string points_text(double points);
 
-/// "scene frame.toml", "course, random case 7"
+/// "the scene frame.toml", "random case 7 of the source course"
 std::string origin_text(const CaseOrigin& origin);
 
 /// "class, pixel (3, 4), sphere 0: missed"
 std::string answer_text(const WrongAnswer& answer);
-/// The numbers, or "miss"; empty if there are no numbers or they are withheld.
+/// The numbers of the answer, or "miss"; empty if there are no numbers or they are withheld.
 std::string got_text(const WrongAnswer& answer);
 std::string exact_text(const WrongAnswer& answer);
 
-/// Empty without a reason.
+/// The reason as a text; empty if there is none.
 std::string reason_text(const ItemReason& reason);
 
-/// "the far root is taken for the near one: explains 12 of 12 wrong answers"
+/// What to do about a failing item: the rubric's hint, unless the program fails or lacks a
+/// function.
+std::string hint_text(const Item& item, const ItemGrade& grade);
+
+/// "the far root is taken for the near one; this explains all 12 wrong answers"
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake);
 
 /// The mistake that explains most items; empty if no mistake is known.
@@ -72,15 +77,15 @@ std::string mistake_text(const SubmissionGrade& grade);
 /// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
 std::string state_text(const ItemGrade& grade);
 
-/// "time is up after 60 s: robustness not judged"; empty if everything was asked.
+/// "time is up after 60 s: robustness not judged"; empty if every item was asked.
 std::string time_up_text(const SubmissionGrade& grade);
 
-/// The score without bonus; "-" for a submission that could not be judged and gets no points.
+/// The score without bonus; "-" if the submission could not be judged and gets no points.
 std::string score_text(const SubmissionGrade& grade);
 /// " of 100, bonus 7.5"
 std::string of_points_text(const SubmissionGrade& grade);
 
-/// "could not be judged: 'make' exited with 2". Domain: such a submission.
+/// "could not be judged: 'make' exited with 2". Domain: a submission that could not be judged.
 std::string not_judged_text(const SubmissionGrade& grade);
 
 /// Why nothing could be run, with the compiler's output.
@@ -89,9 +94,9 @@ std::string refusal_text(const Refusal& refused);
 /// "not shown, but in the score: 2 items"; empty if all are shown.
 std::string unlisted_text(const StudentGrade& grade);
 
-/// The sentence of a failing case's law.
+/// The sentence of the law that a failing case breaks.
 std::string law_text(const FailingCase& failing);
-/// The case as a TOML scene; as a driver file; empty without a camera.
+/// The failing case as a TOML scene; as a driver file, empty if it has no camera.
 std::string scene_text(const FailingCase& failing);
 std::string driver_file_text(const FailingCase& failing, const DriverForm& form);
 
@@ -99,38 +104,39 @@ std::string driver_file_text(const FailingCase& failing, const DriverForm& form)
 std::string times_text(const GradingTimes& times);
 
 /// The isolation of submissions: "isolated by: seccomp, bubblewrap", and why other layers are
-/// missing here.
+/// missing on this machine.
 std::string isolation_text(const LayersHere& isolation);
 
 /// A name without terminal control sequences.
 std::string line_text(const std::string& name);
 
-/// A line per item, and the mistake, for reading one submission; `items` are its items.
+/// One line for each item of a submission, and its mistake; `items` are its items in the rubric.
 std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade);
 
-/// Item k's question and outcome, in lines.
+/// The question and the outcome of item k, in lines.
 std::string item_text(const StudentGrade& all, std::size_t k);
 
-/// A command line, and what it is for.
+/// A command line, and its purpose.
 struct HomeCommand {
   std::string purpose;
   std::string words;
 };
 
-/// Commands that build the submission as raycheck did and repeat item k's failing case, whose files
-/// are to lie beside the submission's; empty without a failing case.
+/// Commands that build the submission as raycheck did and repeat the failing case of item k, whose
+/// files must lie beside the submission's. Empty if there is no failing case.
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
 
-/// Grades the submission again, as far as students may see, in its folder.
+/// The command that grades the submission again in its folder, as far as students may see.
 HomeCommand command_for_all(const StudentGrade& grade);
 
-/// Whether item k has a figure: it asks for functions and fails on a case whose exact answer the
-/// student may see.
+/// Whether item k has a figure: it is judged by functions and fails on a case whose exact answer
+/// the student may see.
 bool has_figure(const StudentGrade& grade, std::size_t k);
 bool has_figures(const StudentGrade& grade);
-/// The page of all figures, made from stored answers: nothing is run. Domain: has_figures().
+/// The page of all figures, made from stored answers without running anything. Domain:
+/// has_figures().
 std::string figures_page(const StudentGrade& grade);
-/// The link to an item's figure, by its index among those with figures.
+/// The link to an item's figure, given its index among the items with figures.
 std::string figure_address(std::size_t finding);
 
 /// A self-contained page, for narrow and wide screens.
@@ -139,12 +145,12 @@ std::string page(std::string_view title, std::string_view body);
 /// A link that saves a text as a file.
 std::string download(std::string_view file, std::string_view text);
 
-/// "12 of 441 pixels differ: yours shows no sphere", `whose` being "yours"; empty if there are no
-/// pictures, or the exact one is withheld.
+/// "12 of 441 pixels differ: yours shows no sphere", where `whose` is "yours"; empty if there are
+/// no pictures, or the exact one is withheld.
 std::string difference_text(const FailingCase& failing, std::string_view whose = "yours");
 
-/// The submission's picture, the expected one and their differences, side by side: spheres in
-/// colours that colour-blind readers can distinguish, differences as marks. Withheld pictures are
+/// The submission's picture, the expected picture and their differences, side by side. Spheres have
+/// colours that colour-blind readers can distinguish; differences are marks. Withheld pictures are
 /// omitted; empty if there are no pictures.
 std::string pictures_html(const FailingCase& failing, std::string_view whose = "yours");
 

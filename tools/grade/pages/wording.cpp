@@ -24,8 +24,9 @@ std::string points_text(double points) {
 }
 
 std::string origin_text(const CaseOrigin& origin) {
-  return origin.scene.empty() ? fmt::format("{}, random case {}", origin.source, origin.number)
-                              : "scene " + origin.scene;
+  return origin.scene.empty()
+             ? fmt::format("random case {} of the source {}", origin.number, origin.source)
+             : "the scene " + origin.scene;
 }
 
 std::string answer_text(const WrongAnswer& answer) {
@@ -41,10 +42,10 @@ std::string answer_text(const WrongAnswer& answer) {
 
 std::string got_text(const WrongAnswer& answer) {
   if (answer.quantity == Quantity::kRefusal) return "";
-  // The picture shows a sphere, but its colour does not identify which.
-  const bool is_untold = answer.quantity == Quantity::kNearestSphere &&
-                         answer.wrong == Wrong::kFalseHit && answer.got.empty();
-  return is_untold ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
+  // The picture shows a sphere, but its colour does not identify it.
+  const bool is_unidentified = answer.quantity == Quantity::kNearestSphere &&
+                               answer.wrong == Wrong::kFalseHit && answer.got.empty();
+  return is_unidentified ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
 }
 
 std::string exact_text(const WrongAnswer& answer) {
@@ -62,8 +63,8 @@ std::string reason_text(const ItemReason& reason) {
     case Kind::kOfRenderers:
       return "only for submissions that draw pictures";
     case Kind::kNeeds:
-      if (reason.item.empty()) return "it needs another item to have all points";
-      return fmt::format("it needs '{}', which {}{}", reason.item,
+      if (reason.item.empty()) return "another item must have all points first";
+      return fmt::format("'{}' must have all points first, but {}{}", reason.item,
                          reason.state == ItemState::kFails ? "" : "is ", name(reason.state));
     case Kind::kFollows:
       return reason.item.empty() ? "because of the mistake in another item"
@@ -76,18 +77,29 @@ std::string reason_text(const ItemReason& reason) {
     case Kind::kOtherColours:
       return "its colours do not identify the spheres";
     case Kind::kUnanswered:
-      return fmt::format("{}: {}", reason.law,
-                         reason.said.empty() ? "answers are missing" : reason.said);
+      if (!reason.function.empty()) {
+        return fmt::format("{} is missing: write it", reason.function);
+      }
+      return fmt::format("{}: {}", reason.law, reason.said);
     case Kind::kNothingToCompare:
       return "there was nothing to compare";
     case Kind::kNeverRight:
-      return fmt::format("{}: all answers are excused and none is right", reason.quantity);
+      return fmt::format("{}: all answers are excused, none is right", reason.quantity);
     case Kind::kCannotBeSaid:
-      return "its cases cannot be written in the program's input format";
+      return "its cases cannot be written in the input format of the program";
     case Kind::kNothingRuns:
       break;
   }
-  return "the submission could not be run";
+  return "the submission could not be judged";
+}
+
+std::string hint_text(const Item& item, const ItemGrade& grade) {
+  if (grade.failing && grade.failing->answer.wrong == Wrong::kFailed) {
+    return "Correct this failure first.";
+  }
+  const std::string& function = grade.reason.function;
+  if (function.empty() || grade.failing) return item.hint;
+  return fmt::format("Write {}, and add it to the functions that you give to raycheck.", function);
 }
 
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake) {
@@ -99,7 +111,7 @@ std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistak
 std::string mistake_text(const SubmissionGrade& grade) {
   std::vector<MistakeStatistics> all = mistake_statistics({&grade, 1});
   std::ranges::stable_sort(all, std::greater{}, &MistakeStatistics::items);
-  // The most frequent mistake, then every other one that costs points.
+  // The most frequent mistake comes first, then every other mistake that costs points.
   std::string text;
   for (const MistakeStatistics& one : all) {
     if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;
@@ -111,8 +123,8 @@ std::string state_text(const ItemGrade& grade) {
   if (grade.unsaid > 0 && grade.cases > 0) {
     ItemGrade said = grade;
     said.unsaid = 0;
-    return fmt::format("{}; {} cannot be written in its input format", state_text(said),
-                       count_text(grade.unsaid, "further case"));
+    return fmt::format("{}; {} cannot be written in the input format of the program",
+                       state_text(said), count_text(grade.unsaid, "further case"));
   }
   if (grade.state == ItemState::kHolds) {
     return fmt::format("holds over {}, {}", count_text(grade.cases, "case"),
@@ -120,8 +132,8 @@ std::string state_text(const ItemGrade& grade) {
   }
   const std::string reason = reason_text(grade.reason);
   if (grade.state == ItemState::kFollows) {
-    return fmt::format("fails {} of {} {}; it costs no points here", grade.cases - grade.held,
-                       count_text(grade.cases, "case"), reason);
+    return fmt::format("fails {} of {} only {}, which takes no points here",
+                       grade.cases - grade.held, count_text(grade.cases, "case"), reason);
   }
   if (grade.state != ItemState::kFails) return fmt::format("{}: {}", name(grade.state), reason);
   const std::string text =
@@ -196,15 +208,17 @@ std::string item_text(const StudentGrade& all, std::size_t k) {
     line("", difference_text(*grade.failing));
     line("goes wrong at: ", grade.failing->step.value_or(""));
   }
-  if (grade.state == ItemState::kFails) line("hint: ", item.hint);
+  if (grade.state == ItemState::kFails) line("hint: ", hint_text(item, grade));
   if (grade.failing) {
     const std::string name = file_name(item.name);
-    text += fmt::format("the smallest failing case found (from {}), scene file {}.toml:\n",
-                        origin_text(grade.failing->origin), name);
+    text +=
+        fmt::format("the smallest failing case found, from {}; to repeat it, save it as {}.toml:\n",
+                    origin_text(grade.failing->origin), name);
     text += scene_text(*grade.failing);
     const std::string driver = driver_file_text(*grade.failing, all.submission.driver);
-    if (!driver.empty())
-      text += fmt::format("the same case as a driver file, {}.txt:\n", name) + driver;
+    if (!driver.empty()) {
+      text += fmt::format("the same case as a driver file; save it as {}.txt:\n", name) + driver;
+    }
     for (const HomeCommand& one : commands_for_case(all, k)) {
       text += fmt::format("{}: {}\n", one.purpose, one.words);
     }

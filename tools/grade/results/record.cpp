@@ -11,8 +11,8 @@ Json triple_json(const Triple& v) {
   return hexfloats({v.x, v.y, v.z});
 }
 
-/// A picture as runs of equal pixels: "12x- 3x0 4x?": twelve background pixels, three of sphere 0,
-/// four of an unidentified sphere.
+/// A picture as runs of equal pixels. "12x- 3x0 4x?" is twelve background pixels, three of sphere 0
+/// and four of an unidentified sphere.
 std::string runs_of(const properties::ImageAnswer& image) {
   std::string text;
   for (std::size_t k = 0, count = 1; k < image.size(); k += count, count = 1) {

@@ -34,7 +34,7 @@ ItemGrade unjudged(const Item& item, bool pictures) {
 }
 
 std::string plain_text(const std::string& said) {
-  // Quotes as compilers print them.
+  // Compilers print typographic quotes.
   std::string text = without_private_folders(said);
   for (const char* quote : {"\xe2\x80\x98", "\xe2\x80\x99"}) {
     for (std::size_t at = 0; (at = text.find(quote, at)) != std::string::npos; ++at) {
@@ -48,20 +48,21 @@ std::string plain_text(const std::string& said) {
   return text;
 }
 
-std::string unsaid_text(const SubmissionGrade& grade) {
+std::string inexpressible_text(const SubmissionGrade& grade) {
   std::uint64_t unsaid = 0, cases = 0;
   for (const ItemGrade& item : grade.items) {
     unsaid += item.unsaid;
     cases += item.cases + item.unsaid;
   }
   if (unsaid == 0) return "";
-  return fmt::format("{} of {} cases cannot be written in its input format and do not count",
-                     unsaid, cases);
+  return fmt::format(
+      "{} of {} cases cannot be written in the input format of the program, and do not count",
+      unsaid, cases);
 }
 
 namespace {
 
-/// By spheres, then pixels.
+/// The size of a failing case: its spheres, then its pixels.
 std::pair<std::size_t, std::int64_t> size_of(const FailingCase& failing) {
   const scene::Scene& scene = failing.the_case.scene;
   return {scene.spheres.size(), scene.camera ? scene.camera->width * scene.camera->height : 0};
@@ -141,7 +142,7 @@ bool is_visible(const Rubric& rubric, const std::string& item) {
   });
 }
 
-/// Also the error and the condition number, which would reveal the right answer.
+/// Withholds the exact answer, and the error and the condition number, which would reveal it.
 void withhold_exact(WrongAnswer& answer) {
   answer.exact.reset();
   answer.error.reset();

@@ -210,7 +210,9 @@ class RubricReader {
       }
     }
     if (!file_names_.insert(file_name(result.name)).second) {
-      fields_.fail(name, "has the letters and digits of an earlier item, and so its file names");
+      fields_.fail(name,
+                   "has the same letters and digits as an earlier item, so their files would have "
+                   "the same names");
     }
     names_.insert(result.name);
     const auto tolerance_given = fields_.optional(from, "tolerance");
@@ -270,7 +272,7 @@ class RubricReader {
     return result;
   }
 
-  /// How the scenes of an item's pictures vary with the seed.
+  /// Reads how the scenes of an item's pictures vary with the seed.
   std::vector<properties::Variation> variations(const Field& field) const {
     const auto& names = properties::kVariationNames;
     std::vector<properties::Variation> found;
@@ -327,7 +329,8 @@ class RubricReader {
     return {name, scene};
   }
 
-  /// The scene beside the rubric, or of that name among those that come with raycheck.
+  /// The path of a scene beside the rubric or, if there is none, of that name among the scenes that
+  /// come with raycheck.
   fs::path path_of_scene(const Field& field, const std::string& name) const {
     fs::path beside = path_.parent_path() / name;
     if (fs::exists(beside)) return beside;

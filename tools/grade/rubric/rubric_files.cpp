@@ -1,3 +1,4 @@
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 
@@ -6,16 +7,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "scene/files/file_text.h"
+#include "scene/invalid_input.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/grade/rubric/rubric.h"
+#include "tools/report/output_file.h"
 #include "tools/report/version.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the installed program, or in the sources.
+/// The folder of the shipped rubrics: beside the installed program, or in the sources.
 fs::path shipped_folder() {
   fs::path installed = prefix() / "share/raycheck/rubrics";
   return fs::is_directory(installed) ? installed : fs::path(kSourceFolder) / "examples/rubrics";
@@ -25,8 +30,7 @@ std::optional<fs::path> if_file(const fs::path& path) {
   return fs::is_regular_file(path) ? std::optional(path) : std::nullopt;
 }
 
-}  // namespace
-
+/// The names of the shipped rubrics, without ".toml", sorted.
 std::vector<std::string> shipped_rubrics() {
   std::vector<std::string> names;
   std::error_code none;
@@ -37,6 +41,15 @@ std::vector<std::string> shipped_rubrics() {
   return names;
 }
 
+fs::path path_of(const std::string& name) {
+  if (const auto path = shipped_rubric(name)) return *path;
+  throw std::invalid_argument(
+      fmt::format("rubric {}: raycheck has no rubric of this name; it has {}", name,
+                  fmt::join(shipped_rubrics(), ", ")));
+}
+
+}  // namespace
+
 std::optional<fs::path> shipped_rubric(const fs::path& name) {
   if (name.has_parent_path()) return {};
   const fs::path path = shipped_folder() / name;
@@ -45,6 +58,41 @@ std::optional<fs::path> shipped_rubric(const fs::path& name) {
 
 std::optional<fs::path> shipped_scene(const fs::path& name) {
   return if_file(shipped_folder() / name);
+}
+
+std::string rubrics_text() {
+  const std::vector<std::string> names = shipped_rubrics();
+  std::size_t width = 0;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  std::string text;
+  for (const std::string& name : names) {
+    const Rubric rubric = load_rubric(path_of(name));
+    text += fmt::format("{:<{}}  {}, {}\n", name, width, rubric.title,
+                        count_text(rubric.items.size(), "item"));
+  }
+  return text;
+}
+
+std::string rubric_file(const std::string& name) { return scene::file_text(path_of(name)); }
+
+std::string copy_rubric(const std::string& name, const std::string& out) {
+  const fs::path from = path_of(name);
+  const Rubric rubric = load_rubric(from);
+  std::map<std::string, fs::path> files = rubric.scene_files;
+  files[from.filename().string()] = from;
+  // A user's own changes are not overwritten.
+  for (const auto& [file, source] : files) {
+    if (fs::exists(fs::path(out) / file)) {
+      throw scene::InvalidInput("out", out, file + " exists already");
+    }
+  }
+  for (const auto& [file, source] : files) {
+    const fs::path to = fs::path(out) / file;
+    make_folder("out", to.parent_path());
+    OutputFile("out", to).write(scene::file_text(source));
+  }
+  return fmt::format("wrote {} and {}\n", (fs::path(out) / from.filename()).string(),
+                     count_text(rubric.scene_files.size(), "scene"));
 }
 
 std::uint64_t secret_seed(std::string_view secret, std::string_view name) {

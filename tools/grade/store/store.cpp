@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFiles = "files";       ///< The folder with the files of a build.
 constexpr const char* kRecord = "made.json";  ///< The description of a build.
 
-/// Copies a folder's regular files with their times, without links; returns digests by name.
+/// Copies a folder's regular files, but no links, with their times; returns their digests by name.
 std::map<std::string, std::string> copy_files(const fs::path& from, const fs::path& to) {
   std::map<std::string, std::string> digests;
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
@@ -39,12 +39,12 @@ std::map<std::string, std::string> copy_files(const fs::path& from, const fs::pa
 }
 
 constexpr std::string_view kFirstLine = "raycheck answers 4";
-/// The most bytes of one program's answers, without and with their headers.
+/// The limits on the bytes of one program's answers, without and with their headers.
 constexpr std::size_t kMostKept = std::size_t{64} << 20;
 constexpr std::size_t kMostUnpacked = 2 * kMostKept;
 
-/// The answers of one program in one compressed file, read by the constructor and written by the
-/// destructor, if there are new ones. A damaged file counts as missing. Thread-safe.
+/// The answers of one program in one compressed file. The constructor reads it; the destructor
+/// writes it if there are new answers. A damaged file counts as missing. Thread-safe.
 class AnswerFile : public AnswerStore {
  public:
   explicit AnswerFile(fs::path path) : path_(std::move(path)) {
@@ -76,7 +76,7 @@ class AnswerFile : public AnswerStore {
       OutputFile("out", path_)
           .write(fmt::format("{}\n{}\n", kFirstLine, text.size()) + packed(text));
     } catch (const std::exception&) {
-      // Answers that are not stored are asked again.
+      // An answer that is not stored is asked for again.
     }
   }
 
@@ -86,7 +86,7 @@ class AnswerFile : public AnswerStore {
     return found == answers_.end() ? std::nullopt : std::optional(found->second);
   }
 
-  /// Drops answers beyond kMostKept bytes in total.
+  /// Stores an answer unless all answers would exceed kMostKept bytes.
   void keep(const std::string& request, StoredAnswer answer) override {
     const std::lock_guard lock(mutex_);
     if (answer.text.size() > kMostKept - bytes_) return;
@@ -197,7 +197,7 @@ std::shared_ptr<AnswerStore> Store::answers(const std::string& key) {
 
 namespace {
 
-/// Changes with the format of stored builds and answers.
+/// The version of the format of stored builds and answers.
 constexpr std::string_view kStoreShape = "store 2";
 
 /// As in kProgramFolders.
@@ -240,7 +240,7 @@ std::string digest_of(const fs::path& name, const std::string& text) {
   return digest({name.generic_string(), text});
 }
 
-/// Whether something has that name, even a dangling link.
+/// Whether something has this name, even a dangling link.
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(path, ignored));
@@ -296,7 +296,7 @@ void OwnFiles::list(const std::string& digest) {
 
 void OwnFiles::write(const fs::path& name, const std::string& text) {
   require_own(name);
-  // Listed first, so that an interruption never leaves an unlisted file.
+  // The file is listed before it is written, so that an interruption never leaves an unlisted file.
   list(digest_of(name, text));
   OutputFile("out", out_ / name).write(text);
 }

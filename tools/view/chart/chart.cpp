@@ -55,7 +55,7 @@ Json time_json(const ChartTime& time) {
           {"told", fmt::format("{:.3g}", time.ratio)}};
 }
 
-/// Remarks on a method's run time, if others have one.
+/// Remarks on a candidate's run time, if other candidates have one.
 std::string time_text(const ChartSeries& series, const ChartFacet& facet) {
   if (facet.baseline.empty()) return {};
   if (!series.time) return series.note.empty() ? "not timed" : series.note;
@@ -76,7 +76,8 @@ Json series_json(const ChartSeries& series, const ChartFacet& facet) {
           {"points", list_json(points, point_json)}};
 }
 
-/// The condition number of the problem at a severity: the same for every method that was compared.
+/// The condition number of the problem at a severity; it is the same for every candidate that was
+/// compared.
 Json condition_json(const ChartFacet& facet, std::size_t severity, std::size_t quantity,
                     std::size_t share) {
   for (const ChartSeries& series : facet.series) {
@@ -87,7 +88,7 @@ Json condition_json(const ChartFacet& facet, std::size_t severity, std::size_t q
   return nullptr;
 }
 
-/// The same of each quantity, share and severity.
+/// The condition numbers for each quantity, share and severity.
 Json conditions_json(const ChartFacet& facet) {
   Json json = Json::array();
   for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
@@ -117,9 +118,9 @@ Json facet_json(const ChartFacet& facet) {
           {"stage", facet.stage},
           {"severities", std::move(severities)},
           {"baseline", facet.baseline},
-          {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
+          {"under", is_timed ? fmt::format("run time, divided by that of {}", facet.baseline)
                              : fmt::format("severity: {}", facet.meaning)},
-          {"key", is_timed ? "Steps: no method without defects is as fast and as accurate"
+          {"key", is_timed ? "Steps: no faster method without defects has as small an error"
                            : "kappa: how much the problem magnifies errors of the inputs"},
           {"quantities", list_json(facet.quantities, quantity_json)},
           {"condition", conditions_json(facet)},

@@ -13,7 +13,7 @@ namespace {
 using reference::Enclosure;
 using reference::Enclosure3;
 
-/// Whether one of the two roots may be the answer under conventions.
+/// Whether a root may be the answer under the conventions.
 bool may_count(const reference::ExactRay& ray, const scene::Sphere& sphere,
                const reference::Intersection& at, const scene::Conventions& conventions) {
   const bool is_asked =
@@ -21,7 +21,7 @@ bool may_count(const reference::ExactRay& ray, const scene::Sphere& sphere,
   return is_asked && ray.counts(sphere, at, conventions.valid) == reference::RootCounts::kYes;
 }
 
-/// How the whole line meets a sphere, also behind the ray's origin.
+/// The hit class of a ray's whole line with a sphere, including the part behind the origin.
 reference::HitClass class_of_line(const reference::ExactRay& ray, const scene::Sphere& sphere) {
   scene::Conventions anywhere;
   anywhere.valid.t_min = std::numeric_limits<double>::lowest();
@@ -36,21 +36,22 @@ Enclosure3 foot_of(const reference::ExactRay& ray, const scene::Sphere& sphere, 
   return {origin.x + v * direction.x, origin.y + v * direction.y, origin.z + v * direction.z};
 }
 
-/// Both numbers in the same format, with enough digits to distinguish them, at least six.
-std::array<std::string, 2> told_apart(double a, double b) {
+/// Both numbers in the same format, with enough digits to distinguish them, but at least six.
+std::array<std::string, 2> distinct_texts(double a, double b) {
   constexpr int kFewestDigits = 6, kMostDigits = 17;
   for (int digits = kFewestDigits;; ++digits) {
-    std::array<std::string, 2> told = {fmt::format("{:.{}g}", a, digits),
-                                       fmt::format("{:.{}g}", b, digits)};
+    std::array<std::string, 2> texts = {fmt::format("{:.{}g}", a, digits),
+                                        fmt::format("{:.{}g}", b, digits)};
     const auto has_exponent = [](const std::string& text) { return text.find('e') < text.size(); };
-    const bool is_alike = has_exponent(told[0]) == has_exponent(told[1]);
-    if ((told[0] != told[1] && is_alike) || digits == kMostDigits) return told;
+    const bool is_alike = has_exponent(texts[0]) == has_exponent(texts[1]);
+    if ((texts[0] != texts[1] && is_alike) || digits == kMostDigits) return texts;
   }
 }
 
-/// A direction at right angles to a ray, towards a centre; any if the ray passes through that.
+/// A direction at right angles to a ray, towards a centre; any such direction if the ray passes
+/// through the centre.
 Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, const Drawn& origin) {
-  constexpr double kTooNear = 0x1p-30;  // relative distance; less may be rounding error
+  constexpr double kTooNear = 0x1p-30;  // relative distance: a smaller one may be rounding error
   Drawn square;
   double least = kTooNear * length_of(centre - origin);
   for (const Drawn& way : {centre - foot, Drawn{0, 1, 0}, Drawn{0, 0, 1}}) {
@@ -58,21 +59,22 @@ Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, con
     if (length_of(square) > least) break;
     least = kTooNear;
   }
-  constexpr double kSteps = 1e6;  // per unit: it only sets the viewing direction
+  constexpr double kSteps = 1e6;  // steps per unit; this determines only the viewing direction
   const Drawn finest = (kSteps / length_of(square)) * square;
   return {std::round(finest[0]) / kSteps, std::round(finest[1]) / kSteps,
           std::round(finest[2]) / kSteps};
 }
 
-/// A ray and a sphere.
+/// The drawing of a ray and a sphere.
 struct RayDrawing {
-  Drawn direction;              ///< D
-  double until = 0;             ///< The line is drawn up to this distance from L.
-  DrawnPlaces places;           ///< L, P, the foot L + v D, the roots, points behind.
+  Drawn direction;   ///< D
+  double until = 0;  ///< The line is drawn up to this distance from L.
+  /// L, P, the foot L + v D, the roots, and points behind the origin.
+  DrawnPlaces places;
   Json names = Json::object();  ///< Labels of places.
 };
 
-/// Adds the roots on a ray's line to its drawing.
+/// Adds the roots on a ray's line to the drawing.
 void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const scene::Sphere& sphere,
                const scene::Conventions& conventions, RayDrawing& drawing) {
   const auto line = class_of_line(ray, sphere);
@@ -81,8 +83,8 @@ void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const sc
   const bool is_double = line == reference::HitClass::kTangent;
   const std::array<reference::Intersection, 2> both = {
       {{line, reference::WhichRoot::kSmaller}, {line, reference::WhichRoot::kLarger}}};
-  const auto told =
-      told_apart(ray.rounded_parameter(sphere, both[0]), ray.rounded_parameter(sphere, both[1]));
+  const auto texts = distinct_texts(ray.rounded_parameter(sphere, both[0]),
+                                    ray.rounded_parameter(sphere, both[1]));
   for (std::size_t k = 0; k < (is_double ? 1u : 2u); ++k) {
     const reference::Intersection& at = both[k];
     const bool is_chosen =
@@ -92,14 +94,14 @@ void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const sc
     drawing.places.emplace_back(name, point);
     if (is_chosen) drawing.places.emplace_back("answer", point);
     drawing.names[name] =
-        fmt::format("{}, s = {}{}", name, told[k],
+        fmt::format("{}, s = {}{}", name, texts[k],
                     is_chosen                                 ? ", the answer"
                     : may_count(ray, sphere, at, conventions) ? ""
                                                               : ", does not count");
   }
 }
 
-/// Sets the ends of the line through these places: a little beyond the last.
+/// Sets the ends of the line through these places, a little beyond the last one.
 void add_ends(RayDrawing& drawing) {
   constexpr double kBeyond = 1.2;  // times the distance of the last
   const Drawn origin = drawing.places.front().second;

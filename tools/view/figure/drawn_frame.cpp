@@ -13,10 +13,10 @@ using reference::Enclosure3;
 double scaled_difference(double a, double b, int exponent) {
   const double difference = a - b;
   if (std::isfinite(difference)) return std::ldexp(difference, exponent);
-  return std::ldexp(a / 2 - b / 2, exponent + 1);  // numbers so large that their halves are exact
+  return std::ldexp(a / 2 - b / 2, exponent + 1);  // halves of such large numbers are exact
 }
 
-/// The middle of enclosures; empty if they are wider than a drawing's tolerance.
+/// The middle of enclosures; empty if they are wider than the tolerance of a drawing.
 std::optional<Drawn> middle(const Enclosure3& value) {
   constexpr double kRelativeWidth = 0x1p-40;
   double largest = 0, widest = 0;
@@ -78,7 +78,7 @@ double DrawnFrame::length(double length) const { return std::ldexp(length, expon
 Drawn DrawnFrame::point(const std::function<Enclosure3(int bits)>& enclose) const {
   constexpr int kFewestBits = 128, kMostBits = 1 << 14;
   for (int bits = kFewestBits;; bits *= 2) {
-    // Applied twice, as 2^exponent may not be a double.
+    // Half of the exponent is applied twice, because 2^exponent may not be a double.
     const Enclosure half(std::ldexp(1.0, exponent_ / 2), bits);
     const Enclosure rest(std::ldexp(1.0, exponent_ - exponent_ / 2), bits);
     const auto moved = [&](const Enclosure& coordinate, double from) {
@@ -88,7 +88,7 @@ Drawn DrawnFrame::point(const std::function<Enclosure3(int bits)>& enclose) cons
     const Enclosure3 relative = {moved(value.x, origin_.x), moved(value.y, origin_.y),
                                  moved(value.z, origin_.z)};
     if (const auto known = middle(relative)) return *known;
-    // Nearer to the origin than any double.
+    // The point is nearer to the origin than any double.
     if (bits >= kMostBits) return {0, 0, 0};
   }
 }

@@ -14,14 +14,15 @@
 namespace raycheck::tools {
 
 /// A position or a direction in a drawing.
-/// Units: (p - origin) * 2^exponent of its frame; directions are unit.
+/// Units: (p - origin) * 2^exponent of its frame; directions are unit vectors.
 using Drawn = std::array<double, 3>;
 
-/// Named places: figure_parts.cpp lists the parts drawn between, at and beside them.
+/// Named places. figure_parts.cpp lists the parts that are drawn between, at and beside them.
 using DrawnPlaces = std::vector<std::pair<std::string, Drawn>>;
 
-/// The origin of drawn coordinates, and their scale: a power of two that makes the distance of the
-/// camera's image plane, or without one of the first sphere from the first ray's origin, about 1.
+/// The origin and the scale of drawn coordinates. The scale is a power of two. It makes the
+/// distance of the camera's image plane about 1 or, if there is no camera, the distance of the
+/// first sphere from the first ray's origin.
 class DrawnFrame {
  public:
   explicit DrawnFrame(const scene::Scene& scene);
@@ -32,8 +33,8 @@ class DrawnFrame {
   /// Exact up to one rounding; infinite if the scaled coordinate leaves the double range.
   Drawn point(const scene::Point3& point) const;
   double length(double length) const;
-  /// A point that is known by enclosures of any precision, to within 2^-40 of its distance from the
-  /// origin or better.
+  /// A point that is given by enclosures of any precision; off by at most 2^-40 of its distance
+  /// from the origin.
   Drawn point(const std::function<reference::Enclosure3(int bits)>& enclose) const;
 
  private:
@@ -41,7 +42,7 @@ class DrawnFrame {
   int exponent_ = 0;
 };
 
-/// A direction of length about 1, whatever the length of `v`.
+/// The direction of `v` with a length of about 1, whatever the length of `v`.
 Drawn unit(const scene::Vector3& v);
 inline Drawn unit(const scene::UnitVector3& v) { return {v.x, v.y, v.z}; }
 
@@ -55,7 +56,7 @@ inline Drawn operator*(double k, const Drawn& a) { return {k * a[0], k * a[1], k
 inline double dot_product(const Drawn& a, const Drawn& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-/// |a|, which neither overflows nor underflows.
+/// |a|, computed without overflow or underflow.
 inline double length_of(const Drawn& a) { return std::hypot(a[0], a[1], a[2]); }
 inline bool is_finite(const Drawn& a) {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);

@@ -13,27 +13,30 @@
 namespace raycheck::tools {
 namespace {
 
-/// Views of the whole leave out what extends beyond this many times the frustum's size.
+/// Views of the whole scene leave out spheres that extend beyond this many times the frustum's
+/// size.
 constexpr double kOrdinary = 50;
-/// More are thinned out, and the figure says so.
+/// If there are more pixels or rays, they are thinned out, and the figure says so.
 constexpr std::int64_t kMostPixelsAcross = 96, kMostRaysAcross = 24;
-/// Up to this many given rays times spheres each ray is drawn to its hit.
+/// If given rays times spheres is at most this, each ray is drawn to its hit.
 constexpr double kMostMet = 1 << 22;
-/// Doubles near a centre are |C| 2^-52 apart: a sphere smaller than this times |C| cannot be drawn.
+/// Doubles near a centre are |C| 2^-52 apart, so a sphere smaller than this times |C| cannot be
+/// drawn.
 constexpr double kLeastDrawn = 0x1p-40;
 
 struct Figure {
   Json camera = nullptr, rays = nullptr, spheres;
-  DrawnPlaces places;              ///< The camera's.
-  double size = 0;                 ///< The extent of the frustum, or of given rays and a sphere,
-  double reach = 0;                ///< and of a view of the whole.
-  std::vector<Drawn> whole;        ///< Its contents besides spheres,
-  std::vector<std::size_t> apart;  ///< and the spheres that it leaves out.
-  bool is_out_of_scale = false;    ///< It shows little: start with the view from the eye.
-  std::vector<std::string> notes;  ///< On what is not drawn exactly.
+  DrawnPlaces places;              ///< The places of the camera.
+  double size = 0;                 ///< The extent of the frustum, or of given rays and a sphere.
+  double reach = 0;                ///< The extent of a view of the whole scene.
+  std::vector<Drawn> whole;        ///< The contents of that view besides spheres.
+  std::vector<std::size_t> apart;  ///< The spheres that the view leaves out.
+  /// Whether that view shows so little that the figure starts with the view from the eye.
+  bool is_out_of_scale = false;
+  std::vector<std::string> notes;  ///< Notes on what is not drawn exactly.
 };
 
-/// A camera in a drawing, with the eye as the origin.
+/// A camera in a drawing whose origin is the eye.
 struct DrawnCamera {
   Drawn U, V, W;
   double near, left, right, bottom, top;
@@ -52,12 +55,12 @@ DrawnCamera drawn_camera(const scene::Camera& camera, const reference::ExactCame
           frame.length(camera.top)};
 }
 
-/// The strides between drawn columns and rows, for at most `most` of each.
+/// The strides between drawn columns and rows, so that at most `most` of each are drawn.
 std::array<std::int64_t, 2> steps(const scene::Camera& camera, std::int64_t most) {
   return {(camera.width + most - 1) / most, (camera.height + most - 1) / most};
 }
 
-/// The s of a ray that count.
+/// The range of s that counts.
 Json counts_json(const scene::Conventions& conventions, const DrawnFrame& frame) {
   const scene::ValidRoots& valid = conventions.valid;
   const bool in_radii = valid.unit == scene::TUnit::kRadius;
@@ -81,7 +84,7 @@ Json camera_json(const scene::Scene& scene, const DrawnCamera& shown, const Draw
   const double across = (shown.right - shown.left) / columns,
                up = (shown.top - shown.bottom) / rows;
   const bool from_top = conventions.rows == scene::Rows::kTopFirst;
-  const double beside = at_edges ? 0.5 : 0;  // of a cell, so that each sample's cell is whole
+  const double beside = at_edges ? 0.5 : 0;  // of a cell: the cell of each sample is then whole
   std::array<double, 4> window = {shown.left - beside * across, shown.right + beside * across,
                                   shown.bottom - beside * up, shown.top + beside * up};
   for (double& side : window) side /= std::abs(shown.near);
@@ -157,17 +160,17 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
   const auto [across, down] = steps(given, kMostPixelsAcross);
   const auto [ray_across, ray_down] = steps(given, kMostRaysAcross);
   if (std::max(across, down) > 1) {
-    figure.notes.push_back(
-        fmt::format("Of {} columns of pixels one in {} is drawn, of {} rows one in {}; with all "
-                    "rays one in {} and one in {}.",
-                    given.width, across, given.height, down, ray_across, ray_down));
+    figure.notes.push_back(fmt::format(
+        "Of {} columns of pixels, one in {} is drawn; of {} rows, one in {}. If all rays "
+        "are shown, those of one column in {} and of one row in {} are drawn.",
+        given.width, across, given.height, down, ray_across, ray_down));
   }
 }
 
 void add_rays(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene) {
   const double met =
       static_cast<double>(scene.rays.size()) * static_cast<double>(scene.spheres.size());
-  if (met > kMostMet) figure.notes.push_back("Too many rays: drawn without their hit points.");
+  if (met > kMostMet) figure.notes.push_back("There are too many rays to draw their hit points.");
   for (const scene::Ray& ray : scene.rays) {
     const Drawn origin = frame.point(ray.origin);
     Json hit = nullptr;

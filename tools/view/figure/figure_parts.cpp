@@ -7,20 +7,21 @@ enum PartLook { kThin = 0, kThick = 1, kDashed = 2, kArrow = 4 };
 
 using Places = std::vector<const char*>;
 
-/// From place to place.
+/// A line from place to place.
 Json part_line(const char* layer, const Places& path, const char* colour, int look = kThin) {
   const auto is = [&](PartLook one) { return (look & one) != 0; };
   return {{"layer", layer},      {"path", path},          {"colour", colour},
           {"thick", is(kThick)}, {"dashed", is(kDashed)}, {"arrow", is(kArrow)}};
 }
 
-/// `size`: pixels.
+/// A mark at a place; `size` in pixels.
 Json part_mark(const char* layer, const char* at, const char* colour, const char* shape,
                double size) {
   return {{"layer", layer}, {"at", at}, {"colour", colour}, {"shape", shape}, {"size", size}};
 }
 
-/// Beside a place, or beside the middle of two; `text` unless the place has its own.
+/// A name beside a place, or beside the middle of two places. It is `text` unless the place has its
+/// own name.
 Json part_name(const char* layer, const Places& at, const char* text, const char* colour) {
   return {{"layer", layer}, {"at", at}, {"text", text}, {"colour", colour}};
 }
@@ -67,7 +68,7 @@ Json part_marks() {
   });
 }
 
-/// The most important first: the last are dropped if there is no room.
+/// The names of places, the most important first; if there is no room, the last are dropped.
 Json part_names() {
   return Json::array({
       part_name("roots", {"near root"}, "near root", "orange"),

@@ -4,10 +4,10 @@
 
 namespace raycheck::tools {
 
-// The files of tools/view/page/ and three.js, as embedded in the program by the build.
+// The files of tools/view/page/ and three.js, which the build embeds in the program.
 extern const std::string_view kPageTemplate;  ///< page.html
 extern const std::string_view kPageStyle;     ///< page.css
 extern const std::string_view kPageScript;    ///< The modules, bundled.
-extern const std::string_view kThree;         ///< three.js and the used ones of its examples.
+extern const std::string_view kThree;         ///< three.js and those of its examples that are used.
 
 }  // namespace raycheck::tools

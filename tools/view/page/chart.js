@@ -1,4 +1,5 @@
-// Error against run time, or against severity: every method a point or a curve, every family at once.
+// Error against run time, or against severity: a point or a curve for every method, on all sources
+// at once.
 import { atEachWidth, brief, briefSentence, choice, disclosure, element } from "./dom.js";
 import { rangeField, refill, svg, table } from "./dom.js";
 import { methodMark } from "./marks.js";
@@ -7,13 +8,13 @@ import { plot } from "./plot.js";
 const TALL = { wide: 520, narrow: 400, small: 170, name: 15, rest: 80 }; // pixels
 const NARROW = 600;
 const SMALL_WIDTH = 240;
-const LONGEST_NAMES = 30; // letters of methods whose curves are the same
-const ALL = 0; // severities together, where there are run times
+const LONGEST_NAMES = 30; // letters in the joined names of methods whose curves are the same
+const ALL = 0; // all severities together, if there are run times
 
 const isTimed = (facet) => facet.baseline !== "";
 
-/// The chart's selection: a facet (a stage's methods on a family), one of its quantities, a quantile, a severity. A
-/// dial's severity follows the store's scene.
+/// The chart's selection: a facet (the methods of a stage on a source), one of its quantities, a
+/// quantile, a severity. A dial's severity follows the store's scene.
 export function mountChart(root, { chart, dial }, store) {
   const state = { facet: chart.facets[0], quantity: 0, share: chart.share, severity: ALL };
   const [heading, controls] = [element("h2", { id: `${root.id}-heading` }), element("div", { class: "fields" })];
@@ -73,7 +74,8 @@ function fillChoices(state, controls, chart, dial, store, set) {
     dial !== null || (isTimed(facet) && stops.length > 1) ? state.slider : null);
 }
 
-/// What marks and lines mean, which methods are not drawn, and all methods.
+/// Sentences on the meaning of marks and lines and on methods that are not drawn, and the list of
+/// all methods.
 function legendOf(state, { key }) {
   const { facet: { series, key: lines } } = state;
   const entry = (number, standing, text) => [svg("svg", { class: "chip-mark", viewBox: "0 0 16 16",
@@ -88,7 +90,7 @@ function legendOf(state, { key }) {
       { type: "button", class: "chip", "data-method": number }, entry(number, "right", brief(name)))))];
 }
 
-/// All families of the stage, if there are several; each links to its own chart.
+/// All sources of the stage, if there are several; each links to its own chart.
 function smallCharts(state, chart, set) {
   const facets = chart.facets.filter(({ stage }) => stage === state.facet.stage);
   if (facets.length === 1) return [];
@@ -105,7 +107,7 @@ function titleOf({ facet, quantity, share, severity }, chart) {
   return `${facet.title}${where}: ${error} against ${isTimed(facet) ? "run time" : "severity"}`;
 }
 
-/// A trace for every method of a facet with something to draw; equal methods share one.
+/// A trace for every method of a facet that has something to draw; equal methods share one.
 function tracesOf({ facet, quantity, share, severity }) {
   const placeOf = (x, point) => ({ x, y: point?.errors[quantity].at[share] ?? null, standing: point?.standing });
   const traces = facet.series.map(({ name, number, time, points }) => (isTimed(facet)
@@ -121,7 +123,7 @@ function tracesOf({ facet, quantity, share, severity }) {
   });
 }
 
-/// A facet as a plot; a small one with the axes of `others` if these are given.
+/// A facet as a plot. If `others` are given, it is small and has their axes.
 function facetPlot(state, chart, dial, width, others) {
   const { facet, quantity, share, severity } = state;
   const isSmall = others !== undefined;
@@ -141,7 +143,7 @@ function facetPlot(state, chart, dial, width, others) {
     unit: `${chart.shares[share]} error, ${facet.quantities[quantity].unit}`, under: facet.under });
 }
 
-/// The meaning of a method's mark, in a sentence.
+/// A sentence on the meaning of a method's mark.
 function figuresText({ text, points }, { facet, quantity, share, severity }, chart) {
   const { unit, error } = facet.quantities[quantity];
   const told = (point) => point?.errors[quantity].told[share] ?? "-";
@@ -152,7 +154,7 @@ function figuresText({ text, points }, { facet, quantity, share, severity }, cha
   return `${text}; ${chart.shares[share]} ${error} ${told(point)} ${unit}${judged}`;
 }
 
-/// Every method of the facet, every severity, every quantile of the quantity.
+/// A table of every method of the facet, every severity and every quantile of the quantity.
 function figuresTable({ facet, quantity }, chart) {
   const { name, unit } = facet.quantities[quantity];
   const row = (one, point, severity) => (point === null ? [] : [[brief(one.name), one.time?.told ?? "-", severity,

@@ -1,11 +1,12 @@
-// Elements of HTML, SVG and MathML; all text goes in as text.
+// Elements of HTML, SVG and MathML. Texts are always inserted as text, never as markup.
 
 const SVG = "http://www.w3.org/2000/svg";
 const LONGEST_NAME = 60; // characters of a name that is shown whole
 const LONGEST_SENTENCE = 400;
 
-/// An element. An attribute whose value is a function listens to the event of that name; null and
-/// false are left out, true is an empty attribute. Children are nodes, texts, lists of them, null.
+/// Makes an element. An attribute whose value is a function listens to the event of that name; null
+/// and false are left out, true is an empty attribute. Children are nodes, texts, lists of them,
+/// null.
 export function element(tag, attributes, ...children) {
   return filled(document.createElement(tag), attributes, children);
 }
@@ -24,7 +25,7 @@ function filled(node, attributes, children) {
   return node;
 }
 
-/// Replaces the children of `target`; the focused one keeps the focus, by its id.
+/// Replaces the children of `target`. A focused child keeps the focus, by its id.
 export function refill(target, ...children) {
   const focused = target.contains(document.activeElement) ? document.activeElement.id : "";
   target.replaceChildren(...children.flat(Infinity).filter((child) => child !== null));
@@ -36,7 +37,7 @@ export function mathematics(mathml) {
   return document.adoptNode(new DOMParser().parseFromString(mathml, "text/html").body.firstElementChild);
 }
 
-/// "r^2 - v" with a raised 2, a minus, Greek letters: formulas within a line.
+/// Formulas within a line: "r^2 - v" with a raised 2, a minus sign, Greek letters.
 export function formula(text) {
   const signs = { alpha: "\u03b1", beta: "\u03b2", "-": "\u2212", " . ": " \u00b7 ", " x ": " \u00d7 " };
   const told = text.replace(/\balpha\b|\bbeta\b|-| \. | x /g, (word) => signs[word]);

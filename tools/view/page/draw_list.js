@@ -2,12 +2,12 @@
 import { seenAt } from "./picture.js";
 import { drawnRoot, pixelPointOf, plus, times, unitOf } from "./projection.js";
 
-const MOST_NAMED_SPHERES = 8; // of more only the chosen one is named
+const MOST_NAMED_SPHERES = 8; // if there are more, only the chosen sphere is named
 const CELL = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
 
-/// The things to draw of a store's scene and selection; layers.rays is "none", "pixel", "row" or "all". Colours are CSS
-/// colours, those of names are names in the palette. A thing with `select` can be clicked; `whole` are the points that
-/// a view of the whole shows.
+/// The things to draw for a store's scene and selection; layers.rays is "none", "pixel", "row" or
+/// "all". Colours are CSS colours, those of names are names in the palette. A thing with `select`
+/// can be clicked; `whole` are the points that a view of the whole shows.
 export function drawList(store, layers, palette) {
   const { figure, seen } = store.scene();
   const { camera, spheres, apart } = figure;
@@ -57,7 +57,7 @@ function addParts({ figure, layers, palette, segments, points, names }, parts, p
   }
 }
 
-/// From red for the first to magenta for the last, as in the lecture.
+/// A colour from red for the first to magenta for the last, as in the lecture.
 const rainbow = (k, count) => `hsl(${((300 * k) / Math.max(count - 1, 1)).toFixed(1)}, 100%, 50%)`;
 
 const everyNth = (count, step) => Array.from({ length: Math.ceil(count / step) }, (_, k) => k * step);
@@ -95,7 +95,7 @@ function raysShown({ camera, selection, layers, figure: { rays } }) {
     ({ ...pixel, origin: camera.origin === "pixel" ? pixel.at : [0, 0, 0], direction: unitOf(pixel.at) }));
 }
 
-/// Adds an arrow to where, by the document, the ray meets a sphere, or out of the figure.
+/// Adds an arrow to the point where, by the document, the ray meets a sphere, or out of the figure.
 function addRay(list, ray) {
   const { origin, direction, colour, select } = ray;
   const hit = list.camera ? hitOfPixel(list, ray) : ray.hit;

@@ -1,7 +1,7 @@
-# Puts the page into a C++ source: cmake -DTO=file.cpp -DPAGE=folder -DMODULES="a;b" -DTHREE="a;b" -P embed.cmake
+# Writes the page into a C++ source: cmake -DTO=file.cpp -DPAGE=folder -DMODULES="a;b" -DTHREE="a;b" -P embed.cmake
 #
-# The modules become one script, in this order: they share one function, and their imports and the word `export` at a
-# line's start are left out. Shaders come first, as SHADERS["name"].
+# The modules become one function of one script, in this order, without their imports and the word `export` at the
+# start of a line. Shaders come first, as SHADERS["name"].
 cmake_minimum_required(VERSION 3.25)
 
 file(GLOB shaders "${PAGE}/*.vert" "${PAGE}/*.frag")

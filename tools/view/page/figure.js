@@ -52,8 +52,8 @@ function listen(figure) {
   });
   for (const [happening, isPrinting] of [["beforeprint", true], ["afterprint", false]]) {
     addEventListener(happening, () => {
-      stage.classList.toggle("printed", isPrinting); // on paper: light colours
-      stage.style.aspectRatio = isPrinting ? `${stage.clientWidth} / ${stage.clientHeight}` : ""; // and its shape
+      stage.classList.toggle("printed", isPrinting); // light colours on paper
+      stage.style.aspectRatio = isPrinting ? `${stage.clientWidth} / ${stage.clientHeight}` : ""; // with the same shape
       rebuildFigure(figure);
       drawFigure(figure);
     });
@@ -73,14 +73,14 @@ function rebuildFigure(figure) {
   redrawFigure(figure);
 }
 
-/// Scenes that no view from outside shows to scale are first seen from the eye.
+/// The view at the start: from the eye if no view from outside shows the scene to scale.
 function startView(figure) {
   const { list, look, painter } = figure;
   for (const one of look.options) one.disabled = painter ? one.value === "eye" && !list.camera : one.value !== "flat";
   showView(figure, !painter ? "flat" : list.camera && list.figure.out_of_scale ? "eye" : "corner");
 }
 
-/// Shows all of the figure, or of the view's subject.
+/// Shows the whole figure, or the whole subject of the view.
 function showView(figure, view) {
   const { whole, axes } = (["across", "sphere"].includes(view) && aroundSphere(figure, view)) || figure.list;
   figure.view = figure.look.value = view;
@@ -102,7 +102,7 @@ function aroundSphere({ store, list }, view) {
   return { axes, whole: [L, foot, ...extremesOf({ centre, radius }, axes)].filter(Boolean) };
 }
 
-/// Draws once before the next animation frame, however often it is called.
+/// Draws once before the next animation frame, even if it is called several times.
 function redrawFigure(figure) {
   if (figure.isDue) return;
   figure.isDue = true;
@@ -151,7 +151,7 @@ function writeNames(target, names, panes) {
   return written.filter((nodes) => nodes === null).length;
 }
 
-/// A table of the named places and the spheres of the figure, made when it is opened.
+/// A table of the named places and the spheres of the figure. It is made when it is opened.
 function figureTable(store, listNow) {
   const folded = disclosure("The figure as a table");
   const fill = () => {

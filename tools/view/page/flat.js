@@ -1,4 +1,5 @@
-// The figure from the side and from above, parallel, in SVG: without WebGL, or when chosen.
+// The figure from the side and from above, in parallel projection, in SVG. Used if there is no
+// WebGL, or if chosen.
 import { svg } from "./dom.js";
 import { dotProduct, homogeneous, onPane, pixelsOf, plus, strokesOf, times } from "./projection.js";
 
@@ -12,7 +13,7 @@ const MARKS = {
   cross: "M-1 -.2H-.2V-1H.2V-.2H1V.2H.2V1H-.2V.2H-1Z",
 };
 
-/// Two panes, one above the other, for a figure of that size.
+/// Two panes, one above the other, for a figure of this size.
 export function flatPanes(list, width, height) {
   const [side, up, back] = list.axes;
   const [U, V] = list.camera ? ["U", "V"] : ["x", "y"];
@@ -35,7 +36,7 @@ function viewerOfAll({ whole, figure }, axes, { width, height }) {
   return { isParallel: true, position, axes, window, nearest: 0, start: 0 };
 }
 
-/// Draws a list into panes; returns the same as the WebGL painter.
+/// Draws a list into panes; returns the same kind of result as the WebGL painter.
 export function paintFlat(target, list, panes) {
   const shown = list.spheres.slice(0, MOST_CIRCLES);
   let tooLarge = 0;

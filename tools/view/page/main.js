@@ -1,4 +1,4 @@
-// Reads the data that raycheck put into the page, and shows it.
+// Reads the data that raycheck put into the page, and shows them.
 import { briefSentence, element } from "./dom.js";
 import { createStore } from "./store.js";
 import { mountFigure } from "./figure.js";
@@ -17,7 +17,8 @@ async function inflated(id) {
   return new Response(stream).text();
 }
 
-/// Runs three.js, which the page's policy allows by its hash; if that fails, the figure does without it.
+/// Runs three.js, which the page's policy allows by its hash. If it fails, the figure is drawn
+/// without it.
 async function runThree() {
   const script = element("script", {});
   script.textContent = await inflated("three");

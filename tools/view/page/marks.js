@@ -16,7 +16,8 @@ export function glyph(k, x, y, size) {
   return svg("path", { d: GLYPHS[k % 8], class: "glyph", fill: `var(--series-${k % 7})`, transform });
 }
 
-/// The same, pale if it has excused wrong decisions, crossed if it has others.
+/// The mark of a method; pale if it has excused wrong decisions, crossed if it has wrong decisions
+/// without an excuse.
 export function methodMark(number, standing, x, y, size) {
   const cross = `M${x} ${y}m${-size} ${-size}l${2 * size} ${2 * size}m0 ${-2 * size}l${-2 * size} ${2 * size}`;
   return svg("g", { class: standing === "right" ? null : "pale" }, glyph(number, x, y, size),
@@ -42,7 +43,8 @@ function firstFree(places, [x, y], width, pane, taken) {
   return { x: left, y: top, width, from: [x, y], joint, isApart: Math.hypot(joint[0] - x, joint[1] - y) > APART };
 }
 
-/// A text at the first free one of `places`, which is then taken, with a leader from (x, y); null if none is free.
+/// A text at the first free place of `places`, with a leader from (x, y); the place is then taken.
+/// Null if none is free.
 export function writeLabel(text, [x, y], look, pane, taken, places) {
   const width = LETTER * text.length + 6;
   const box = firstFree(places(x, y, width), [x, y], width, pane, taken);

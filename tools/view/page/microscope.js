@@ -1,4 +1,5 @@
-// Errors of 1e-16 made visible: the plane through ray and centre, in ulps around the exact point.
+// Makes errors of 1e-16 visible: shows the plane through ray and centre, in ulps around the exact
+// point.
 import { atEachWidth, brief, briefSentence, element, rangeField, refill, svg, table } from "./dom.js";
 import { aroundPlace, glyph, writeLabel } from "./marks.js";
 
@@ -12,7 +13,7 @@ const LABELS = aroundPlace([2, 6, 1, 3, 7, 5, 0, 4]); // above and below their m
 export function mountMicroscope(root, store) {
   const [told, seen, drawing, zoom, answers] = ["told", "shown", "view", "zoom", "answers"]
     .map((id) => root.querySelector(`#microscope-${id}`));
-  let shown = {}; // what is magnified, the method in question, the window
+  let shown = {}; // the magnified point, the method in question, the window
   const draw = () => {
     const width = Math.floor(drawing.clientWidth);
     if (shown.now && width > 0) drawing.replaceChildren(magnifiedView(shown.now, shown.zoom, width, store));
@@ -39,7 +40,8 @@ export function mountMicroscope(root, store) {
   });
 }
 
-/// The narrowest window that shows the answer of the method in question or, without one, any answer.
+/// The narrowest window that shows the answer of the method in question or, if there is no such
+/// method, any answer.
 function firstZoom({ marks }, told) {
   const meant = marks.filter(({ name }) => told === null || name === told);
   return meant.length === 0 ? 0 : Math.min(...meant.map(({ window: narrowest }) => narrowest));
@@ -50,7 +52,7 @@ function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) 
   const height = Math.min(TALLEST, Math.round(width * 0.7));
   const x = (ulps) => width / 2 + ulps / half * width / 2;
   const y = (ulps) => height / 2 - ulps / half * width / 2;
-  const reach = hit ? Math.min(half, region ?? half) : 0; // of the effect of rounding the inputs
+  const reach = hit ? Math.min(half, region ?? half) : 0; // the extent of the effect of rounding the inputs
   const lines = x(grid[1]) - x(grid[0]) < GRID_SPACING ? [] : grid.filter((at) => Math.abs(at) <= half);
   const pane = { x: 2, y: 20, width: width - 4, height: height - 40 };
   const placed = marks.map((mark) => placedMark(mark, [x(mark.x), y(mark.y)], width, height));
@@ -84,7 +86,8 @@ function placedMark(mark, [x, y], width, height) {
   return { ...mark, at: beyond === "" ? [x, y] : at, beyond };
 }
 
-/// Marks that lie together, or equally far outside, share a label; the method in question comes first, then wrong ones.
+/// Marks that lie together, or equally far outside, share a label. The method in question comes
+/// first, then wrong methods.
 function marksTogether(placed, told) {
   const rank = ({ name, wrong }) => (name === told ? 2 : Number(wrong));
   const groups = [];

@@ -1,4 +1,4 @@
-// Turning, moving and zooming by three's OrbitControls, and what lies under a click.
+// Turns, moves and zooms the figure by three's OrbitControls, and finds what lies under a click.
 import { lengthOf, minus, onPane, pixelUnder, plus, shareSeen, times } from "./projection.js";
 
 const FIELD = Math.PI / 6; // radians from the bottom to the top of the screen
@@ -57,7 +57,7 @@ export function createOrbit(stage, redraw) {
       controls.target.set(0, 0, 0);
       camera.position.setFromSphericalCoords(1 / Math.sin(FIELD / 2), Math.PI / 2 - elevation, azimuth);
       controls.update();
-      // Moves nearer until the view is nearly full; near things grow faster than far ones.
+      // Moves nearer until the view is nearly full. (Near things grow faster than far things.)
       for (let k = 0; k < 4; ++k) turn(shareSeen(orbit.viewer(aspect), whole) + 0.12, 0, 0);
       fitted = distance();
     },

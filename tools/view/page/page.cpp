@@ -12,12 +12,12 @@
 namespace raycheck::tools {
 namespace {
 
-/// The window of zlib.
+/// The size of zlib's window.
 constexpr std::size_t kWindow = 1 << 15;
 
 const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
 
-/// Compressed by zlib (RFC 1950) at its best level, as a continuation of `before`.
+/// The text compressed by zlib (RFC 1950) at its best level, as a continuation of `before`.
 std::string deflated(std::string_view text, std::string_view before = {}) {
   z_stream stream{};
   if (deflateInit(&stream, Z_BEST_COMPRESSION) != Z_OK) {
@@ -43,7 +43,7 @@ std::string hash_source(std::string_view text) {
   return fmt::format("'sha256-{}'", base64(sha256(text)));
 }
 
-/// The same in every page, and deflating it is slow.
+/// three.js, deflated. It is the same in every page, and deflating it is slow.
 const std::string& three() {
   static const std::string text = base64(deflated(kThree));
   return text;

@@ -8,11 +8,11 @@
 
 namespace raycheck::tools {
 
-/// A document as one self-contained HTML file: its content security policy allows its own script
-/// and style by their hashes, and embedded pictures.
+/// A document as one self-contained HTML file. Its content security policy allows only its own
+/// script and style, by their hashes, and embedded pictures.
 std::string page(const ViewDocument& document);
 
-/// The approximate number of bytes that a text adds after another in one compressed stream.
+/// The approximate number of bytes that `text` adds to a compressed stream after `before`.
 std::size_t deflated_behind(std::string_view before, std::string_view text);
 
 }  // namespace raycheck::tools

@@ -1,10 +1,11 @@
-// The chosen ray: the sentence at the page's top, the panel of its steps, and the findings.
+// The chosen ray: the sentence at the top of the page, the panel of the ray's steps, and the
+// findings.
 import { brief, briefSentence, choice, copyButton, disclosure, element } from "./dom.js";
 import { formula, labelled, mathematics, refill, table } from "./dom.js";
 import { placeText } from "./store.js";
 
 const LONGEST_SHOWN = 400; // characters of MathML that are shown at once
-const NAMES_TOLD = 4; // of methods that agree, before "and 3 more"
+const NAMES_TOLD = 4; // the number of agreeing methods that are named before "and 3 more"
 const NO_PANEL = "This page has no steps for this ray and sphere.";
 
 /// The sentence that says what went wrong, and the fields that choose another ray.
@@ -22,7 +23,8 @@ export function mountStory(root, store) {
   });
 }
 
-/// The steps, each method's value below the exact one, the output of explain, and texts to copy.
+/// The steps, with the value of each method below the exact value; the output of `explain`; and
+/// texts to copy.
 export function mountPanel(root, store) {
   const opened = new Map(); // symbol -> whether the reader opened it
   const show = () => {
@@ -92,7 +94,7 @@ function methodFilter({ methodShown, set }, { verdicts }) {
   return element("div", { id: "methods", role: "group", "aria-label": "Methods shown" }, [null, ...names].map(chip));
 }
 
-/// A step is open if the method in question goes wrong there.
+/// A step is open if the method in question is wrong there.
 function stepView(step, k, store, opened) {
   const told = store.methodTold();
   const isShown = (name) => store.methodShown === null || name === store.methodShown;
@@ -168,7 +170,8 @@ export function mountFindings(root, store) {
     button.setAttribute("aria-current", String(store.findingsHere().includes(findings[k])))));
 }
 
-/// Goes to the finding named in the page's address ("#finding-3" is the third), now and whenever that changes.
+/// Goes to the finding in the page's address ("#finding-3" is the third), now and whenever the
+/// address changes.
 export function followAddress(store) {
   const follow = () => {
     const number = /^#finding-(\d{1,9})$/.exec(window.location.hash)?.[1];

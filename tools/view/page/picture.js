@@ -2,7 +2,7 @@
 import { brief, choice, element, rangeField, refill, svg } from "./dom.js";
 import { placeText, walkByKeys } from "./store.js";
 
-const SMALLEST_RING = 1 / 40; // of the picture's width: the least size of the ring, however small pixels are
+const SMALLEST_RING = 1 / 40; // of the picture's width: the smallest size of the ring
 
 export function mountPicture(root, store) {
   if (store.document.scenes.every((scene) => scene.pictures.length === 0)) {
@@ -12,7 +12,7 @@ export function mountPicture(root, store) {
   const shown = { scene: -1, sides: { left: 0, right: 0 } };
   const parts = ["choices", "view", "place"].map((id) => root.querySelector(`#picture-${id}`));
   const [[choices, view, place], images, line] = [parts, root.querySelectorAll("img"), root.querySelector("line")];
-  const divide = (percent) => { // the right picture begins there
+  const divide = (percent) => { // the right picture begins at this percentage
     images[1].style.clipPath = `inset(0 0 0 ${percent}%)`;
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
   };

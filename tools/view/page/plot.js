@@ -1,11 +1,11 @@
-// Errors as points or curves, each with its name beside it. Error and time axes are logarithmic; 0 and infinity have
-// rows of their own, and empty stretches may be cut out.
+// Errors as points or curves, with their names beside them. Error and time axes are logarithmic; 0
+// and infinity have separate rows, and empty stretches may be cut out.
 import { svg } from "./dom.js";
 import { LABEL_LINE, LETTER, aroundPlace, inColumn, writeLabel, methodMark } from "./marks.js";
 
 const ROW = 24; // pixels: of zeros, of infinities
 const WIDEST_GAP = 2.5; // empty decades that are not cut out
-const CUT = 16; // pixels that stand for them
+const CUT = 16; // pixels that stand for the decades that are cut out
 const LEAST_STRETCH = 0.8; // decades
 const PADDING = 0.12; // decades beyond the first and the last point
 const TICKS_APART = 34; // pixels, at least

@@ -1,4 +1,4 @@
-// A mark: disc, square, diamond, ring or cross, with a rim.
+// Draws a mark: a disc, square, diamond, ring or cross, with a rim.
 varying vec4 vTint;
 varying float vDepth;
 uniform float opacity;

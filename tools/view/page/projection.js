@@ -1,5 +1,5 @@
-// Positions on the screen, in doubles. The GPU computes in single precision: it gets only what is left after everything
-// large has been subtracted, rotated and clipped here.
+// Positions on the screen, in doubles. The GPU computes in single precision, so it gets only the
+// numbers that are left after everything large has been subtracted, rotated and clipped here.
 
 export const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -13,7 +13,7 @@ export const crossProduct = (a, b) =>
 /// P of pixel (i, j), which may be fractional.
 export const pixelPointOf = ({ first, column, row }, i, j) => plus(first, plus(times(column, i), times(row, j)));
 
-/// The pixel seen from the eye in the direction with these tangents; null if there is none.
+/// The pixel that is seen from the eye in the direction with these tangents; null if there is none.
 export function pixelUnder({ window: [x0, x1, y0, y1], width, height, rows }, x, y) {
   const i = Math.floor(((x - x0) / (x1 - x0)) * width);
   const fromBelow = Math.floor(((y - y0) / (y1 - y0)) * height);
@@ -25,7 +25,8 @@ export function pixelUnder({ window: [x0, x1, y0, y1], width, height, rows }, x,
 // from bottom to top, at depth 1 (if parallel, at any depth); nearest, the depth below which lines are clipped; start,
 // the depth of the plane where sight begins (0: at the position).
 
-/// A viewer that shows the camera's picture, enlarged by a factor, and its surroundings on a screen of that aspect.
+/// A viewer that shows the camera's picture, enlarged by a factor, with its surroundings, on a
+/// screen of this aspect.
 export function eyeViewer({ U, V, W, near, window: [x0, x1, y0, y1], origin }, aspect = 0, enlarged = 1) {
   const depth = Math.abs(near);
   const wider = aspect / Math.abs((x1 - x0) / (y1 - y0)) || 1; // than the picture
@@ -37,7 +38,8 @@ export function eyeViewer({ U, V, W, near, window: [x0, x1, y0, y1], origin }, a
   };
 }
 
-/// How much of the screen these places fill, from its middle; at least 1 if one is outside.
+/// The share of the screen that these places fill, from its middle; at least 1 if a place is
+/// outside.
 export function shareSeen(viewer, places) {
   return Math.max(...places.map((place) => homogeneous(viewer, place))
     .map(([x, y, w]) => (w > 0 ? Math.max(Math.abs(x), Math.abs(y)) / w : 1)));
@@ -71,7 +73,8 @@ export function onPane(pane, point) {
 
 const between = (a, b, t) => a.map((x, k) => x * (1 - t) + b[k] * t);
 
-/// The part of a segment on a pane, or a little beside it, as homogeneous points (Liang and Barsky); null: none.
+/// The part of a segment on a pane, or a little beside it, as homogeneous points (Liang and
+/// Barsky); null if there is none.
 export function clippedSegment({ viewer }, from, to) {
   const beside = 1.25;
   const [a, b] = [homogeneous(viewer, from), homogeneous(viewer, to)];
@@ -113,7 +116,8 @@ function arrowHead(tip, x, y, { width, height }) {
   return [0.4, -0.4].map((bend) => [tip, [tip[0] - perX * (x - bend * y), tip[1] + perY * (y + bend * x), tip[2]]]);
 }
 
-/// The smallest window [x0, x1, y0, y1] at depth 1 around a sphere, its centre in view; null: it is behind.
+/// The smallest window [x0, x1, y0, y1] at depth 1 around a sphere whose centre is in view; null if
+/// it is behind.
 export function sphereWindow([x, y, depth], radius) {
   const across = seenBetween(x, depth, radius);
   const along = across && seenBetween(y, depth, radius);
@@ -130,7 +134,8 @@ function seenBetween(across, depth, radius) {
   return [low <= -Math.PI / 2 ? -Infinity : Math.tan(low), high >= Math.PI / 2 ? Infinity : Math.tan(high)];
 }
 
-/// The nearest root >= 0 of a ray, for drawing, or null. By the perpendicular T x D: nothing cancels.
+/// The nearest root >= 0 of a ray, for drawing, or null. Computed from the perpendicular T x D, so
+/// that nothing cancels.
 export function drawnRoot(origin, direction, centre, radius) {
   const T = minus(centre, origin);
   const v = dotProduct(T, direction);

@@ -1,4 +1,5 @@
-// The state of the page: the document as loaded, and the reader's choice of scene, ray, sphere, method.
+// The state of the page: the loaded document, and the reader's choice of scene, ray, sphere and
+// method.
 
 /// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex, selection, methodShown,
 /// layers} and calls every subscriber with the store and the names of what was set; a new subscriber is called at once.
@@ -24,7 +25,8 @@ export function createStore(document) {
     /// The findings at the chosen place, the worst first.
     findingsHere: () => document.findings.filter((one) => one.scene === store.scenesIndex
       && samePlace(one, store.selection) && [null, store.panel()?.sphere].includes(one.sphere)),
-    /// The method in question: the one shown, or the worst one here; null if none goes wrong.
+    /// The method in question: the method shown, or the worst method here; null if no method is
+    /// wrong.
     methodTold: () => store.methodShown ?? store.findingsHere()[0]?.method
       ?? store.panel()?.verdicts.find((one) => one.wrong)?.name ?? null,
     set(partial) {
@@ -45,7 +47,8 @@ export function createStore(document) {
       subscribers.push(subscriber);
       subscriber(store, []);
     },
-    /// Moves by pixels right and up in the picture, or by rays, but not beyond its edges.
+    /// Moves the selection by pixels right and up in the picture, or by rays, but not beyond the
+    /// edges.
     walk(right, up) {
       const { camera, rays } = store.scene().figure;
       const within = (index, count) => Math.min(Math.max(index, 0), count - 1);
@@ -65,10 +68,10 @@ export function placeText({ pixel, ray, sphere }) {
     .filter(Boolean).join(", ");
 }
 
-/// The same pixel or ray.
+/// Whether two selections have the same pixel or ray.
 const samePlace = (a, b) => a.ray === b.ray && String(a.pixel) === String(b.pixel);
 
-/// Arrow keys on `target` walk from pixel to pixel, ten at once with Shift.
+/// Arrow keys on `target` walk from pixel to pixel, and with Shift by ten pixels.
 export function walkByKeys(target, store) {
   const steps = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
   target.addEventListener("keydown", (event) => {

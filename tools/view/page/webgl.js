@@ -27,7 +27,7 @@ export function webglPainter(canvas, defines = {}) {
   if (!context) return null;
   const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, logarithmicDepthBuffer: true });
   const camera = new THREE.PerspectiveCamera();
-  camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0); // its input is already projected
+  camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0); // the input is already projected
   const names = ["rays", "upward", "counted", "rule", "ratio", "rim", "resolution"];
   const uniforms = Object.fromEntries(names.map((name) => [name, { value: null }]));
   const layers = {
@@ -66,7 +66,8 @@ function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio =
   return { small: packed.small, notes };
 }
 
-/// Seen from the eye, the scene's conventions say which roots count; from elsewhere, those ahead.
+/// In the view from the eye, the scene's conventions define which roots count; in other views,
+/// roots ahead count.
 function rootsOf({ camera }, viewer) {
   if (!viewer.isEye) return { counted: [0, 3e38], rule: [0, 0, 1, 1] };
   const { from, to, in_radii: inRadii, smaller, larger } = camera.counts;
@@ -105,7 +106,7 @@ function packSpheres(packed, spheres, { viewer, width, height }, ratio) {
   return rays;
 }
 
-/// The pixels between two tangents, and one more on either side.
+/// The pixels between two tangents, and one more on each side.
 function pixelRange(low, high, origin, step, count) {
   const ends = [(low - origin) / step, (high - origin) / step].sort((a, b) => a - b);
   return [Math.max(0, Math.floor(ends[0]) - 1), Math.min(count, Math.ceil(ends[1]) + 1)];

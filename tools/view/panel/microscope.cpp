@@ -15,31 +15,32 @@ namespace {
 using reference::Enclosure;
 using reference::Enclosure3;
 
-/// Thrown if a precision does not enclose a number narrowly enough.
+/// Thrown if, at some precision, the enclosure of a number is too wide.
 struct TooWide : std::runtime_error {
   TooWide() : std::runtime_error("more bits are needed") {}
 };
 
-/// The relative width, in bits, of the enclosures of shown numbers. Less than kNothing of an ulp is
-/// invisible and shown as 0.
+/// Enclosures of shown numbers have at most a relative width of 2^-kToldBits. Distances below
+/// kNothing ulp are invisible and shown as 0.
 constexpr int kToldBits = 34;
 constexpr double kNothing = 0x1p-30;
 
-/// The half width of the first window, in ulp; each further one is wider by a factor.
+/// The half width of the first window, in ulp. Each further window is wider by a factor.
 constexpr double kFirstHalfWidth = 4;
 constexpr double kZoomFactor = 2;
 constexpr double kLargestHalfWidth = 0x1p60;
-constexpr int kCurveSteps = 8;  ///< For half a curve.
-/// Curves that bend less than this share of a window are drawn straight.
+constexpr int kCurveSteps = 8;  ///< Steps for half a curve.
+/// Curves that bend by less than this share of a window are drawn straight.
 constexpr double kStraight = 0x1p-10;
-constexpr int kGridSteps = 8;  ///< Doubles on each side of s.
-/// Lengths from 2^-1074 to 2^1024 in one scene need some 2,100 bits, and as many again cancel.
+constexpr int kGridSteps = 8;  ///< The number of doubles on each side of s.
+/// Lengths from 2^-1074 to 2^1024 in one scene need some 2,100 bits, and as many more cancel.
 constexpr int kMostMicroscopeBits = 6144;
 
 struct MicroscopeMark {
   std::string method;
-  std::size_t number = 0;  ///< Determines shape and colour: its index among all methods.
-  bool is_point = false;   ///< Its hit point; else its s, on the exact ray.
+  std::size_t number = 0;  ///< Its index among all methods, which determines shape and colour.
+  /// Whether the mark is its hit point. If not, it is its s on the exact ray.
+  bool is_point = false;
   double x = 0, y = 0;
   bool is_wrong = false;
   std::string text;
@@ -49,10 +50,12 @@ struct MicroscopeMark {
 struct Microscope {
   scene::Precision precision = scene::Precision::kDouble;
   bool is_hit = false;
-  double parameter = 0;  ///< s of the point, correctly rounded.
+  double parameter = 0;  ///< s of the exact point, correctly rounded.
   double ulp = 0;
-  double gap = 0;                ///< From the ray to the sphere, for a miss.
-  std::optional<double> region;  ///< How far a relative change u of inputs may move s; or no bound.
+  double gap = 0;  ///< The distance from the ray to the sphere, for a miss.
+  /// The distance by which a relative change u of the inputs may move s; empty if there is no
+  /// bound.
+  std::optional<double> region;
   std::vector<MicroscopeMark> marks;
 };
 
@@ -63,7 +66,7 @@ double middle(const Enclosure& value) {
   return low / 2 + high / 2;
 }
 
-/// The next number of a format in the direction of another.
+/// The next number of a format in the direction of `towards`.
 double next_of(double value, double towards, scene::Precision precision) {
   if (precision == scene::Precision::kDouble) return std::nextafter(value, towards);
   return std::nextafter(static_cast<float>(value), static_cast<float>(towards));
@@ -113,7 +116,7 @@ class Plane {
     const Enclosure3 to_foot = scaled(along_, v);
     const Enclosure3 to_centre = centre - ray_origin - to_foot;
     const Enclosure b = norm(to_centre);
-    // A line through the centre has no side, which enclosures cannot prove.
+    // If the line passes through the centre, there is no side; enclosures cannot prove this.
     const bool is_central = b.contains_zero();
     if (is_central && bits < kMostMicroscopeBits / 2) throw TooWide();
     normal_ = is_central ? across(along_, bits) : scaled(to_centre, Enclosure(1.0, bits) / b);
@@ -122,7 +125,7 @@ class Plane {
     gap_ = hits_ ? Enclosure(0.0, bits) : centre_y_ - radius_;
   }
 
-  /// The distance of a parameter from the exact one, in ulp.
+  /// The distance of a parameter from the exact parameter, in ulp.
   Enclosure x_of(double parameter, double ulp) const {
     return (Enclosure(parameter, bits_) - parameter_) / Enclosure(ulp, bits_);
   }
@@ -135,13 +138,13 @@ class Plane {
   /// The distance of the sphere from the ray, for a miss.
   double gap() const { return middle(gap_ / unit_); }
 
-  /// The exact circle in a window: from its point nearest to the middle in both directions, and all
-  /// of it if it is smaller than the window.
+  /// The exact circle in a window, drawn from its point nearest to the middle in both directions. A
+  /// circle that is smaller than the window is drawn completely.
   std::vector<std::array<double, 2>> circle(double half_width) const {
     const Enclosure r = radius_ / unit_;
     if (radius_.contains_zero()) return {};
     if (!hits_ && (gap_ / unit_).lower() > half_width) return {};
-    // From the middle the circle runs along `tangent` and bends along `inward`.
+    // From that point, the circle goes along `tangent` and bends along `inward`.
     const Enclosure zero(0.0, bits_), one(1.0, bits_);
     const Enclosure inward_x = hits_ ? centre_x_ / radius_ : zero;
     const Enclosure inward_y = hits_ ? centre_y_ / radius_ : one;
@@ -174,7 +177,7 @@ class Plane {
   Enclosure3 along_, normal_, origin_;
 };
 
-/// The index of a method among all of raycheck's; external candidates come after them.
+/// The index of a method among all methods of raycheck; external candidates come after these.
 std::size_t number_of(const MethodReport& method) {
   const auto all = all_intersect_methods();
   return static_cast<std::size_t>(
@@ -214,7 +217,7 @@ struct Zoom {
   std::vector<std::array<double, 2>> curve;  ///< The exact circle.
 };
 
-/// The first window, and those of the wider ones that show something new.
+/// The first window, and those wider windows that show something new.
 std::vector<Zoom> zooms_of(const Plane& plane, const Microscope& scope) {
   std::vector<Zoom> zooms;
   std::vector<double> distances = {0, std::abs(scope.gap)};
@@ -232,8 +235,8 @@ std::vector<Zoom> zooms_of(const Plane& plane, const Microscope& scope) {
   return zooms;
 }
 
-/// The narrowest zoom that shows a mark, else the widest. A window is at least half as high as it
-/// is wide.
+/// The narrowest window that shows a mark; if there is none, the widest. A window is at least half
+/// as high as it is wide.
 std::size_t window_of(const MicroscopeMark& mark, const std::vector<Zoom>& zooms) {
   const auto found = std::ranges::find_if(zooms, [&](const Zoom& zoom) {
     return std::abs(mark.x) <= zoom.half_width && std::abs(mark.y) <= zoom.half_width / 2;
@@ -242,8 +245,8 @@ std::size_t window_of(const MicroscopeMark& mark, const std::vector<Zoom>& zooms
   return zooms.empty() ? 0 : std::min(index, zooms.size() - 1);
 }
 
-/// Sentences about the centre, the unit, the distance of answers to a miss, and the methods that
-/// cannot be drawn.
+/// Sentences about the centre, the unit, the distance of the sphere for a miss, and the methods
+/// that cannot be drawn.
 std::vector<std::string> sentences_of(const Microscope& microscope, const ExplainReport& report) {
   const bool is_single = microscope.precision == scene::Precision::kSingle;
   std::vector<std::string> sentences = {

@@ -11,8 +11,8 @@
 namespace raycheck::tools {
 namespace {
 
-/// A scene of only this ray and sphere, as given input for explain.
-scene::Scene alone(const scene::Scene& scene, const Selection& selection) {
+/// A scene with only this ray and this sphere, for explain().
+scene::Scene pair_scene(const scene::Scene& scene, const Selection& selection) {
   scene::Scene result;
   result.conventions = scene.conventions;
   result.rays = {scene.rays.at(selection.ray.value_or(0))};
@@ -20,11 +20,11 @@ scene::Scene alone(const scene::Scene& scene, const Selection& selection) {
   return result;
 }
 
-/// Of raycheck's methods, keeps those that are to be shown.
+/// Removes those of raycheck's methods that are not to be shown.
 void keep_methods(const SceneViewOptions& options, ExplainReport& report) {
   std::vector<MethodPair> pairs;
   if (options.is_of_methods) pairs = options.methods;
-  if (options.renderer) pairs = {kDefaultMethods};  // pictures have no steps: correct ones
+  if (options.renderer) pairs = {kDefaultMethods};  // pictures have no steps: show correct ones
   if (pairs.empty()) return;
   std::erase_if(report.methods, [&](const MethodReport& method) {
     return !method.is_other && std::ranges::none_of(pairs, [&](const MethodPair& pair) {
@@ -43,7 +43,7 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
                             const SceneViewOptions& options) {
   const std::string candidate = options.other ? options.more_arguments : "";  // no renderers
   if (!report.pixel) {
-    if (!report.sphere) return {};  // explain takes no ray without a sphere
+    if (!report.sphere) return {};  // `raycheck explain` needs a sphere
     const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
     return fmt::format("raycheck explain --ray={},{} --sphere={},{}{}", listed(report.ray.origin),
                        listed(report.ray.direction), listed(sphere.centre),
@@ -58,8 +58,9 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
 
 constexpr int kDigits = 17;
 
-/// The number of correct characters of a value's decimals: all if it is within an ulp of the
-/// correctly rounded exact one, otherwise up to the last digit to which both round equally.
+/// The number of correct characters in a value's decimals. All are correct if the value is within
+/// an ulp of the correctly rounded exact value; otherwise, those up to the last digit to which both
+/// round in the same way.
 std::size_t right_characters(double value, double exact) {
   const std::string text = digits_text(value);
   const bool is_next = value == std::nextafter(exact, value);
@@ -81,13 +82,13 @@ std::size_t right_characters(double value, double exact) {
   return at;
 }
 
-/// Appends a part to a text, unless it is empty.
+/// Appends a part to a rich text, unless the part is empty.
 void add(Json& said, const char* kind, const std::string& text) {
   if (!text.empty()) said.push_back({kind, text});
 }
 
-/// Adds a value compared with the exact one, with its wrong digits separate; without an exact one
-/// all are wrong.
+/// Adds a value, with the digits that differ from the exact value as a separate part. If there is
+/// no exact value, all digits are wrong.
 void add_value(Json& said, double value, const std::optional<double>& exact) {
   const std::string text = digits_text(value);
   const std::size_t right = exact ? right_characters(value, *exact) : 0;
@@ -95,7 +96,7 @@ void add_value(Json& said, double value, const std::optional<double>& exact) {
   add(said, "mark", text.substr(right));
 }
 
-/// A method's result at a step, without names: agreeing methods share it.
+/// The result of a method at a step, without its name, because methods that agree share it.
 Json answer_json(const MethodReport& method, const MethodStep& mine, const Step& step) {
   Json said = Json::array();
   const std::size_t count = mine.value.size();
@@ -111,7 +112,7 @@ Json answer_json(const MethodReport& method, const MethodStep& mine, const Step&
           {"wrong", method.goes_wrong_at == step.symbol}};
 }
 
-/// The methods' results at a step; those that agree fully are one answer.
+/// The results of all methods at a step. Methods that agree fully share one answer.
 Json answers_json(const Step& step, const ExplainReport& report) {
   Json answers = Json::array();
   for (const MethodReport& method : report.methods) {
@@ -129,7 +130,7 @@ Json answers_json(const Step& step, const ExplainReport& report) {
   return answers;
 }
 
-/// A remark on subtracted terms that are much larger than their difference, if that costs digits.
+/// A remark if a difference loses digits because its terms are much larger.
 std::string cancellation_text(const Step& step, const ExplainReport& report) {
   const Step* const to_centre = report.find("T");
   if (!step.condition || step.symbol != "d^2" || to_centre == nullptr ||
@@ -137,7 +138,7 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
     return {};
   }
   const auto& t = to_centre->rounded;
-  // Without squares, which may overflow.
+  // std::hypot, because squares may overflow.
   const double distance = std::hypot(t[0], t[1], t[2]);
   const double half_chord = std::sqrt(std::abs(step.rounded.front()));
   const double decades = 2 * std::log10(distance / half_chord);
@@ -150,8 +151,8 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
       std::floor(decades), left >= 1 ? fmt::format("{:.0f}", left) : "none");
 }
 
-/// Whether a step's closed form is short enough to be typeset: explain's text cuts longer ones,
-/// too.
+/// Whether a step's closed form is short enough to be typeset. (The text of `explain` cuts longer
+/// ones, too.)
 bool is_typeset(const Step& step) {
   constexpr std::size_t kLongestTypeset = 160;
   return !step.closed_form.empty() &&
@@ -211,9 +212,9 @@ Json exact_json(const ExplainReport& report) {
           {"said", std::move(said)}};
 }
 
-/// The steps, each method's answer, and the exact one. Rich text is a list of [kind, text]: "",
-/// "symbol", "number", "mark" (wrong digits) or "wrong".
-Json told_json(const ExplainReport& report) {
+/// The steps, with the answer of each method and the exact one. A rich text is a list of pairs
+/// [kind, text]; the kind is "", "symbol", "number", "mark" (wrong digits) or "wrong".
+Json explained_json(const ExplainReport& report) {
   const auto step = [&](const Step& one) { return step_json(one, report); };
   const auto verdict = [&](const MethodReport& one) { return verdict_json(one, report); };
   return {{"steps", list_json(report.steps, step)},
@@ -227,8 +228,10 @@ std::string direction_remark(const ExplainReport& report) {
   if (report.pixel) return {};
   const scene::Vector3& D = report.ray.direction;
   const double length = std::hypot(D.x, D.y, D.z);
-  const std::string told = fmt::format("{:.6g}", length);
-  return told == "1" ? "" : fmt::format(" times the ray's direction, which is {} long", told);
+  const std::string length_text = fmt::format("{:.6g}", length);
+  return length_text == "1"
+             ? ""
+             : fmt::format(" times the ray's direction, which is {} long", length_text);
 }
 
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,
@@ -241,7 +244,7 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
     explained.pixel = selection.pixel;
     explained.sphere = selection.sphere;
   } else {
-    explained.scene = alone(scene, selection);
+    explained.scene = pair_scene(scene, selection);
   }
   ExplainReport report = explain(explained);
   Panel panel;
@@ -251,9 +254,9 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
   } else if (report.sphere) {
     panel.selection.sphere = selection.sphere.value_or(0);
   }
-  panel.told = selection_json(panel.selection);
-  panel.told["command"] = explain_command(report, selection, options);
-  panel.told["text"] = explain_text(report, {});
+  panel.json = selection_json(panel.selection);
+  panel.json["command"] = explain_command(report, selection, options);
+  panel.json["text"] = explain_text(report, {});
   keep_methods(options, report);
   for (const MethodReport& method : report.methods) {
     if (method.goes_wrong()) panel.wrong.push_back(method.name);
@@ -265,9 +268,9 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
                          reference::ExactCamera(*report.scene.camera, report.scene.conventions),
                          *report.pixel)
                    : reference::ExactRay(report.ray);
-  panel.told.update(told_json(report));
-  panel.told["drawing"] = drawing_json(frame, ray, sphere, report.scene.conventions);
-  panel.told["microscope"] =
+  panel.json.update(explained_json(report));
+  panel.json["drawing"] = drawing_json(frame, ray, sphere, report.scene.conventions);
+  panel.json["microscope"] =
       sphere != nullptr ? microscope_json(report, ray, *sphere) : Json(nullptr);
   return panel;
 }

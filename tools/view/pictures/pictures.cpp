@@ -19,16 +19,16 @@ namespace {
 
 using reference::kNoSphere;
 
-/// Values of a pixel in a candidate's picture that is neither a known sphere nor background.
+/// The values of pixels in a candidate's picture that are neither a known sphere nor background.
 constexpr std::int32_t kFailedPixel = -2;  ///< The candidate failed.
 constexpr std::int32_t kSomePixel = -3;    ///< An unknown sphere.
 
 constexpr Colour kFailedColour = {128, 128, 128};
 
-/// Rows decided and painted at a time: interrupts are checked in between.
+/// The number of rows that are decided and painted at a time; interrupts are checked in between.
 constexpr std::int64_t kRowsAtOnce = reference::Visibility::kBandRows;
 
-/// Top line first, whichever row is 0.
+/// The picture as PNG, from the top line on, whichever row is row 0.
 std::string png_of(const scene::Scene& scene, std::vector<Colour> pixels) {
   const scene::Camera& camera = *scene.camera;
   if (scene.conventions.rows != scene::Rows::kTopFirst) flip_lines(pixels, camera.width);
@@ -52,7 +52,7 @@ Json picture_json(const char* kind, const std::string& name, const std::string& 
           {"legend", std::move(legend)}};
 }
 
-/// A picture of the pixels' nearest spheres.
+/// A picture of the nearest spheres of all pixels.
 Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen, const char* kind,
                 const std::string& name) {
   constexpr std::size_t kMostEntries = 24;
@@ -73,7 +73,7 @@ Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen
   return picture_json(kind, name, png_of(scene, std::move(pixels)), std::move(legend));
 }
 
-/// Pixels judged at a time: few enough that a verdict keeps every discrepancy.
+/// The number of pixels judged at a time; so few that a verdict keeps every discrepancy.
 constexpr std::size_t kPixelsAtOnce = 512;
 static_assert(kPixelsAtOnce <= properties::kKeptDiscrepancies);
 
@@ -94,6 +94,7 @@ void paint_chunk(const properties::Case& chunk, const properties::Candidate& can
     ++errors.wrong[static_cast<std::size_t>(standing)];
   };
   properties::Trial trial(chunk, candidate);
+  const std::size_t before = trial.place(0).ray;  // The image's pixels before this chunk.
   for (const properties::Law* law : properties::laws_that(
            [](const properties::Law& one) { return one.per == properties::Per::kImage; })) {
     const properties::Verdict verdict = properties::apply(*law, trial);
@@ -103,15 +104,15 @@ void paint_chunk(const properties::Case& chunk, const properties::Candidate& can
         if (errors.failed == 0) errors.first_failure = one.what;
         errors.failed += pixels.size();
       } else {
-        mark(one.place.ray, one.excuse.standing());
+        mark(one.place.ray - before, one.excuse.standing());
       }
     }
   }
   errors.pixels.front() += static_cast<std::uint64_t>(std::ranges::count(is_wrong, false));
 }
 
-/// The pixels of a picture that a candidate draws as a whole, row j after row j: a sphere,
-/// kNoSphere, kSomePixel, or, if it fails, kFailedPixel everywhere.
+/// The pixels of a picture that a candidate draws as a whole, row after row: a sphere, kNoSphere or
+/// kSomePixel. If the candidate fails, all are kFailedPixel.
 std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
                                         const properties::Candidate& candidate) {
   const auto count = static_cast<std::size_t>(scene.camera->width * scene.camera->height);
@@ -127,8 +128,8 @@ std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
   return picture;
 }
 
-/// Paints pixels that laws about images find wrong by their standing, all others as right, and
-/// counts both; right ones count under the first error.
+/// Paints pixels that laws about images find wrong by their standing, and all others as right;
+/// counts both. Right pixels count under the first error.
 Painter drawn_error_painter(const scene::Scene& scene, properties::Candidate candidate) {
   return [&scene, judged = std::move(candidate)](const SeenBand& band, std::span<Colour> pixels,
                                                  ErrorCounts& errors) {
@@ -155,7 +156,7 @@ void answer(const scene::Scene& scene, const properties::Candidate& candidate, s
   }
 }
 
-/// For a picture that is drawn as a whole, s is unknown.
+/// The legend of a picture of errors. For a picture that is drawn as a whole, s is unknown.
 Json error_legend(const ErrorCounts& counts, bool is_drawn, std::uint64_t pixels) {
   Json legend = Json::array();
   for (const std::uint64_t some : counts.pixels) pixels -= some;

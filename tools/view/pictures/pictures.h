@@ -10,12 +10,13 @@
 
 namespace raycheck::tools {
 
-/// Each call makes a new candidate, whose conventions the scene is shown under.
+/// Makes a new candidate. The scene is shown under its conventions.
 using CandidateMaker = std::function<properties::Candidate()>;
 
-/// The pictures of a scene: its certified spheres; for each candidate its answers and the error of
-/// its s or, if it draws whole images, its picture and the wrong pixels.
-/// Domain: a valid scene with a camera, with few enough pixels for memory; candidates that draw
+/// The pictures of a scene: its certified spheres and, for each candidate, its answers and the
+/// errors of s. If a candidate draws whole images: its picture and the wrong pixels.
+/// Domain: a
+/// valid scene with a camera whose pixels fit in memory; candidates that draw
 ///         images, or make rays from its origin and rank spheres.
 struct SceneImages {
   Json pictures = Json::array();

@@ -1,4 +1,4 @@
-// Forms of driver files: read back by a strict reader; and their names.
+// Forms of driver files, read back by a strict reader, and the names of forms.
 
 #include "tools/external/pictures/driver_form.h"
 
@@ -149,7 +149,7 @@ TEST(DriverForm, with_fixed_numbers_has_no_exponent) {
 }
 
 TEST(DriverForm, has_its_light_behind_the_eye_and_not_at_the_origin) {
-  // The second's light would be at the origin.
+  // The light of the second would be at the origin.
   const scene::Point3 kEyes[] = {{5, 0, 0}, {1, 0, 0}, {0, -3, 2}}, look_at = {2, 0, 0};
   for (const scene::Point3& eye : kEyes) {
     scene::Scene scene = odd_scene();

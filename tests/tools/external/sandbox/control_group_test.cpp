@@ -1,5 +1,5 @@
-// Control groups of programs: processes cannot leave them, they are removed, they enforce limits,
-// and the reason is given if none can be made.
+// Control groups of programs: processes cannot leave them, they enforce limits, they are removed,
+// and if none can be made, the reason is reported.
 
 #include "tools/external/sandbox/control_group.h"
 
@@ -26,7 +26,7 @@ std::vector<fs::path> groups_in(const fs::path& folder) {
   return folders;
 }
 
-/// A control group for raycheck, as `systemd-run --scope -p Delegate=yes` makes one.
+/// A control group for raycheck, like those of `systemd-run --scope -p Delegate=yes`.
 class Delegated {
  public:
   Delegated() {
@@ -75,7 +75,7 @@ class Delegated {
     return contents(path_ / "cgroup.controllers").find(controller) != std::string::npos;
   }
 
-  /// The report of `raycheck check` in it, run by these words, after these lines of shell.
+  /// The report of `raycheck check` in the group, run by these words, after these lines of shell.
   json judged(const std::string& words, const std::string& candidate, const std::string& more = "",
               const std::string& before = "") const {
     const Outcome outcome =
@@ -96,7 +96,7 @@ std::string group_isolation(const json& candidate) {
   return candidate.value("isolated_by", std::string("nothing"));
 }
 
-/// The machines to test; those that cannot be simulated here are skipped.
+/// Tests on several machines; machines that cannot be simulated here are skipped.
 class HostileControlGroupOn : public testing::TestWithParam<Machine> {
  protected:
   void SetUp() override {
@@ -112,13 +112,13 @@ INSTANTIATE_TEST_SUITE_P(Machines, HostileControlGroupOn, testing::ValuesIn(kMac
                          kNameOfMachine);
 
 TEST_P(HostileControlGroupOn, CannotBeLeftOrChangedByItsProcesses) {
-  // By the given path, by that of its own group, and by all that it finds.
+  // The program tries the given path, the path of its group, and every path that it finds.
   const std::string lines = R"(
 own = open('/proc/self/cgroup').read().split('0::')[1].strip()
-told = sys.argv[1]
-mounted = told.rsplit('/', 1)[0]
-folders = {told, mounted, mounted + own, told + own}
-for place in '/sys/fs/cgroup', told:
+given = sys.argv[1]
+mounted = given.rsplit('/', 1)[0]
+folders = {given, mounted, mounted + own, given + own}
+for place in '/sys/fs/cgroup', given:
     folders.update(folder for folder, _, _ in os.walk(place))
 gained = []
 for folder in sorted(folders):
@@ -148,7 +148,7 @@ sys.exit('gained ' + ' '.join(gained) if gained else 'tried %d' % len(folders)))
   expect_parts(group_isolation(candidate), {"control group"});
   const std::string words = candidate["worst"].dump();
   EXPECT_EQ(words.find("gained"), std::string::npos) << words;
-  expect_parts(words, {"it said: tried "});
+  expect_parts(words, {"it printed: tried "});
   EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
   EXPECT_TRUE(delegated.controllers().empty()) << delegated.controllers();
 }
@@ -156,7 +156,7 @@ sys.exit('gained ' + ' '.join(gained) if gained else 'tried %d' % len(folders)))
 TEST_P(HostileControlGroupOn, LimitsTheTotalOfProcesses) {
   if (!delegated.offers("pids"))
     GTEST_SKIP() << "the kernel does not count processes in such groups";
-  // The kernel also counts the user's processes, which here has others.
+  // The kernel also counts the user's other processes, of which there are some here.
   const std::string others = std::string("for k in $(seq 40); do ") + kAsNobody +
                              "sleep 100 & others=\"$others $!\"; done\n" +
                              "(sleep 30; kill $others) & sleep 0.5\n";
@@ -243,7 +243,7 @@ TEST(HostileControlGroup, HoldsOrphansAndIsRemovedByTheNextRun) {
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   EXPECT_TRUE(eventually([&] { return processes_with(mark).empty(); }));
-  // Its own group, and those of programs.
+  // There are raycheck's own group, and the groups of programs.
   EXPECT_GE(groups_in(delegated.path()).size(), 2u);
   delegated.switch_off_controllers();
   const json next = delegated.judged("", python_renderer("pass"));
@@ -254,7 +254,7 @@ TEST(HostileControlGroup, HoldsOrphansAndIsRemovedByTheNextRun) {
 TEST(HostileControlGroup, OfAnInvisibleRunIsKeptWhileItIsLocked) {
   const Delegated delegated;
   if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
-  // Like a run in another PID namespace: no process here has this id.
+  // As after a run in another PID namespace, no process here has this id.
   const fs::path group = delegated.path() / "raycheck-99999999-0";
   fs::create_directory(group);
   const int held = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -289,7 +289,7 @@ constexpr MountedGroups kMountedGroups[] = {
      "35 31 0:32 / /sys/fs/cgroup/memory rw - cgroup cgroup rw,memory\n"
      "41 31 0:38 / /sys/fs/cgroup/unified rw,relatime - cgroup2 cgroup2 rw\n",
      "4:memory:/some/group\n1:name=systemd:/\n0::/\n", "/sys/fs/cgroup/unified", "no error"},
-    // The folder exists; whether it can be written is found by trying.
+    // The folder exists. Only trying shows whether it can be written.
     {"container_that_may_read",
      "609 608 0:26 / /sys/fs/cgroup ro,nosuid,nodev,noexec,relatime - cgroup2 cgroup rw\n",
      "0::/\n", "/sys/fs/cgroup", "no error"},

@@ -1,4 +1,4 @@
-// Limits on all processes of a candidate together, and their removal.
+// Limits on all processes of a candidate together, and the removal of these processes.
 
 #include <sys/syscall.h>
 
@@ -20,7 +20,7 @@ std::string words_of(const std::string& candidate, const std::string& more) {
   return judged(kScene, candidate, more)["worst"].dump();
 }
 
-/// The same for a program with low limits, in place of a renderer.
+/// The report on a program with low limits, in place of a renderer.
 std::string words_of_small(const std::string& name, const std::string& lines,
                            const std::string& more) {
   const std::string rubric = temporary_file(
@@ -43,7 +43,7 @@ TEST_P(HostileProcess, HasALimitOnDiskUse) {
 }
 
 TEST_P(HostileProcess, HasALimitOnTotalMemory) {
-  // Each is within the limit of a process.
+  // Each process is within its limit.
   expect_parts(words_of_small("memory",
                               "for k in range(5):\n  if os.fork() == 0:\n"
                               "    kept = b'x' * (60 << 20)\n    time.sleep(60)",
@@ -64,7 +64,8 @@ TEST_P(HostileProcess, LeavesNoProcessRunning) {
 }
 
 TEST_P(HostileProcess, LeavesNoProcessRunningThatForksAndExits) {
-  // Each process ends before it can be examined. What is left after three seconds is counted.
+  // Each process ends before it can be examined. Processes that are left after three seconds are
+  // counted.
   const auto mark = [](int k) { return std::to_string(920000000 + 2 * getpid() + k); };
   const std::string ends[] = {"", "time.sleep(60)"};
   for (int k = 0; k < 2; ++k) {
@@ -79,7 +80,7 @@ TEST_P(HostileProcess, LeavesNoProcessRunningThatForksAndExits) {
 }
 
 TEST_P(HostileProcess, IsStoppedInTimeDespiteEndlessOutput) {
-  // Once a limit of two seconds took sixty-eight.
+  // There was a defect by which a limit of two seconds took sixty-eight.
   for (const char* stream : {"stderr", "stdout"}) {
     expect_parts(
         words_of(python_renderer(std::string("while True: sys.") + stream + ".write('x' * 65536)"),
@@ -105,7 +106,7 @@ TEST_P(HostileProcess, HasALimitOnDiskUseByRemovedFiles) {
 }
 
 TEST_P(HostileProcess, HasALimitOnTheNumberOfFiles) {
-  // Checking more files takes long, and delays the other checks.
+  // With more files, a check takes long and delays the other checks.
   expect_parts(
       words_of(python_renderer("for k in range(" + std::to_string(tools::kMostFiles + 1000) +
                                "): os.close(os.open(str(k), os.O_CREAT))\n"
@@ -121,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Sandbox, HostileProcess,
                          });
 
 TEST(HostileClock, IsNotStoppedByAParentInUninterruptibleSleep) {
-  // As when waiting for a disk, which was once taken for the machine's fault.
+  // The state is that of waiting for a disk, which was once taken for the machine's fault.
   expect_parts(
       words_of(python_renderer(
                    "import ctypes\nlibc = ctypes.PyDLL(None)\nif libc.vfork() == 0: libc.pause()"),
@@ -129,7 +130,7 @@ TEST(HostileClock, IsNotStoppedByAParentInUninterruptibleSleep) {
       {"did not end"});
 }
 
-/// Right, after these lines of Python.
+/// A right candidate, after these lines of Python.
 std::string right_after(const std::string& lines) {
   return python_renderer(lines + "\nos.execvp('python3', ['python3', '" +
                          std::string(RAYCHECK_SOURCE_DIR) +
@@ -137,7 +138,7 @@ std::string right_after(const std::string& lines) {
 }
 
 TEST(HostileClock, CountsCpuTimeAndNotSleep) {
-  // In total more than its limit, in short pieces.
+  // It takes more than its limit in total, in short pieces.
   const json report =
       judged(kScene,
              right_after("for k in range(5):\n  time.sleep(0.5)\n  began = time.process_time()\n"
@@ -214,7 +215,7 @@ class Thieves {
 TEST(HostileNeighbours, DoNotUseUpACandidatesTime) {
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   const Thieves thieves(4 * processors);
-  // Half of its time, without neighbours.
+  // It takes half of its time, without neighbours.
   const json report = judged(kScene,
                              right_after("began = time.process_time()\n"
                                          "while time.process_time() < began + 1: pass"),

@@ -18,7 +18,7 @@ using tools::Rubric;
 
 constexpr std::uint64_t kStoredSeeds = 1000;
 constexpr std::uint64_t kFreshSeed = 271828;
-/// The most points, of the rubric's 100.
+/// Such submissions get at most this many of the rubric's 100 points.
 constexpr double kMostEarned = 10;
 
 const Rubric& lecture7() {
@@ -44,9 +44,9 @@ void for_each_case(bool pictures, std::uint64_t seed, Visit visit) {
   }
 }
 
-/// The look of a scene, which determines its picture independently of scale, position and rotation
-/// of the world: position and size of each sphere ahead on the image plane, in units of the
-/// picture.
+/// The look of a scene: the position and size of each sphere ahead, on the image plane, in units of
+/// the picture. It determines the picture, and does not depend on scale, position and rotation of
+/// the world.
 std::vector<double> look_of(const Scene& scene) {
   const Camera& c = *scene.camera;
   const auto dot = [](const Vector3& a, const Vector3& b) {
@@ -80,7 +80,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum);
 }
 
-/// A table's entry for a scene: its look, and its picture, which the test draws when needed.
+/// The table's entry for a scene: its look, and its picture, which is drawn when needed.
 struct Stored {
   Scene scene;
   std::vector<double> look;
@@ -108,7 +108,7 @@ bool has_size_of(const Scene& a, const Scene& b) {
   return a.camera->width == b.camera->width && a.camera->height == b.camera->height;
 }
 
-/// The entry with the nearest look; null if no entry has the same number of spheres ahead.
+/// The entry with the most similar look; null if no entry has the same number of spheres ahead.
 const Stored* nearest(const Scene& scene, bool of_its_size) {
   const std::vector<double> look = look_of(scene);
   const Stored* best = nullptr;
@@ -145,7 +145,7 @@ enum class Cheat {
   kResized   ///< Answers the picture of any size with the nearest look, resized.
 };
 
-/// Looks are equal up to the rounding of their numbers to six digits.
+/// Looks count as equal if they differ only by rounding their numbers to six digits.
 constexpr double kSameLook = 1e-5;
 
 ImageAnswer answer(Cheat cheat, const Scene& scene, const scene::Conventions& conventions,

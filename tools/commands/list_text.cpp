@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/text.h"
-#include "tools/list/list.h"
+#include "tools/commands/list.h"
 
 namespace raycheck::tools {
 
@@ -12,10 +12,10 @@ namespace {
 
 std::string caveat(std::string_view not_kept) {
   if (not_kept.empty()) return "\n";
-  return fmt::format("\n  {:<17} not kept on {}\n", "", not_kept);
+  return fmt::format("\n  {:<17} bounds may be exceeded: {}\n", "", not_kept);
 }
 
-/// The range of lengths of a method with its own; empty for most.
+/// The range of lengths of a method, if it has one; empty for most methods.
 std::string lengths(const fast::Domain& domain) {
   if (domain == fast::Domain{}) return {};
   return fmt::format("; lengths {:.3g} to {:.3g}", domain.smallest_length, domain.largest_length);
@@ -64,18 +64,21 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
                         lengths(method->domain), caveat(method->not_kept));
   }
   text += fmt::format(
-      "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
-      "{:.3g} unless others are given.\n",
+      "\nBounds hold up to the condition number {}, above which they grow in proportion, and for "
+      "lengths from {:.3g} to {:.3g} unless others are given.\n",
       properties::kModerateCondition, fast::kSmallestLength, fast::kLargestLength);
   text += fmt::format(
-      "Methods in float are given doubles. Candidates that declare single precision are given "
-      "floats, with lengths from {:.3g} to {:.3g}.\n",
+      "Methods in float receive doubles. Candidates that declare single precision receive floats, "
+      "with lengths from {:.3g} to {:.3g}.\n",
       properties::kSmallestSingleLength, properties::kLargestSingleLength);
   text += "\nlaws (--filter):\n";
   for (const properties::Law& law : catalogue.laws) {
     text += fmt::format("  {:<17} {}\n", law.name, law.sentence);
   }
-  text += "\nsources of random cases (--source), those with severities as NAME or NAME@SEVERITY:\n";
+  text +=
+      "\nsources of random cases (--source NAME; NAME@SEVERITY if the source has severities: the "
+      "higher, "
+      "the harder):\n";
   for (const properties::CaseSource& source : catalogue.sources) {
     text += fmt::format("  {:<17} {}\n", source.name, source.sentence);
     text += levels_text(source);
@@ -92,20 +95,20 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
 }
 
 std::string bounds_text(const BoundsReport& report, const ViewOptions& /*options*/) {
-  std::string text = "proved of the code's own formulas (proofs/NAME.gappa):\n";
+  std::string text = "bounds proved for the formulas of the code (proofs/NAME.gappa):\n";
   for (const auto& [bound, observed] : report.proved) {
     text += fmt::format("  {:<23} {} {}: {}\n  {:<23} {}; {:.1f} times what was observed\n",
                         bound->name, bound->value, bound->unit, bound->what, "", bound->where,
                         bound->value / observed);
   }
   text += fmt::format(
-      "Observed: the largest error of {} inputs of a few binades, random or climbed to; u = "
-      "2^-53. Assumed:\ndoubles round to nearest, keep subnormals and have correct square roots, "
-      "which is checked when raycheck starts;\nand nothing else under- or overflows, which callers "
-      "ensure.\n"
-      "\npromised up to condition number {}, in proportion beyond, and tried by the laws (none is "
-      "proved "
-      "as a whole):\n",
+      "Observed: the largest error on {} inputs of a few binades, found at random or by climbing; "
+      "u = 2^-53.\nAssumed: doubles round to nearest, keep subnormals and have correct square "
+      "roots "
+      "(raycheck checks this when it\nstarts); nothing else under- or overflows (callers ensure "
+      "this).\n"
+      "\nbounds promised up to the condition number {}, above which they grow in proportion; the "
+      "laws test them, none is\nproved as a whole:\n",
       report.samples, properties::kModerateCondition);
   const auto add = [&](const auto& methods) {
     for (const auto* method : methods) {

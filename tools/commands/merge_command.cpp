@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -10,9 +9,9 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
@@ -29,18 +28,20 @@ struct MergeArguments {
   bool may_run = false;
 };
 
-/// The folder names the programs to run, and it may come from anyone.
-void tell_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
+/// Reports the programs that the merge runs, because the folder names them and may come from
+/// anyone.
+void report_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
   if (!runs_candidates(campaign)) return;
-  const std::string told =
+  const std::string warning =
       fmt::format("{}: its campaign runs candidates: {}", folder, campaign.text());
   if (!may_run) {
-    throw std::invalid_argument(told + "; add --run-candidates if you trust them and the folder");
+    throw std::invalid_argument(warning +
+                                "; add --run-candidates if you trust them and the folder");
   }
-  print_error(fmt::format("raycheck: {}\n", told));
+  print_error(fmt::format("raycheck: {}\n", warning));
 }
 
-/// Executes the campaign's command, which takes its units from the folders.
+/// Runs the campaign's command, which reads its units from the folders.
 int run_merge(const MergeArguments& arguments) {
   const CampaignIdentity campaign = campaign_in(arguments.folders.front());
   const CommandRow* const row = find_command(campaign.command);
@@ -56,19 +57,17 @@ int run_merge(const MergeArguments& arguments) {
       words.push_back(*argument);
       continue;
     }
-    const auto known = std::ranges::find(kUnitOptions, *argument, &NamedOption::name);
-    const bool lacks_value =
-        known != std::end(kUnitOptions) && known->has_value && std::next(argument) == all.end();
-    if (known == std::end(kUnitOptions) || lacks_value) {
+    const bool has_value = !has(kFlags, *argument);
+    if (!has(kUnitOptions, *argument) || (has_value && std::next(argument) == all.end())) {
       throw std::invalid_argument(fmt::format(
           "{}: its campaign has {}, which raycheck never writes: the folder was changed",
           arguments.folders.front(), *argument));
     }
     // One word, so that a value that begins with '-' is not read as an option.
-    words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
-    if (known->has_value) ++argument;
+    words.push_back(has_value ? *argument + "=" + *std::next(argument) : *argument);
+    if (has_value) ++argument;
   }
-  tell_what_runs(campaign, arguments.folders.front(), arguments.may_run);
+  report_what_runs(campaign, arguments.folders.front(), arguments.may_run);
   for (const std::string& folder : arguments.folders) words.push_back("--merged=" + folder);
   for (const auto& [option, values] : arguments.passed) {
     for (const std::string& value : values) words.push_back(option + "=" + value);
@@ -93,17 +92,17 @@ CommandRun add_merge(CLI::App& command) {
       ->required()
       ->type_name("FOLDER");
   command.add_flag("--run-candidates", given->may_run,
-                   "allow the merge to run the campaign's candidates or submissions");
-  for (const NamedOption& option : kReportOptions) {
-    const std::string meaning = "as for the campaign's command";
-    if (option.has_value) {
-      command.add_option(option.name, given->passed[option.name], meaning)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-          ->expected(1)
-          ->take_all();
-    } else {
-      command.add_flag(option.name, given->flags[option.name], meaning);
+                   "allow raycheck to run the campaign's candidates or submissions");
+  for (const std::string_view option : kReportOptions) {
+    const std::string name(option), meaning = "as in the command that made the folders";
+    if (has(kFlags, name)) {
+      command.add_flag(name, given->flags[name], meaning);
+      continue;
     }
+    command.add_option(name, given->passed[name], meaning)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->expected(1)
+        ->take_all();
   }
   return [given] { return run_merge(*given); };
 }

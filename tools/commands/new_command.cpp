@@ -9,11 +9,12 @@
 
 #include "scene/files/file_text.h"
 #include "scene/invalid_input.h"
-#include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/external/sandbox/launch.h"
+#include "tools/flags.h"
 #include "tools/report/output_file.h"
 #include "tools/report/version.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
@@ -22,9 +23,9 @@ namespace fs = std::filesystem;
 
 struct Language {
   std::string_view name, extension;
-  std::string_view beside;  ///< A file of adapters() to be copied beside it; or empty.
-  std::string_view judged;  ///< The option that judges NAME.
-  /// Reserved words, with spaces around; empty: NAME only names files in this language.
+  std::string_view beside;  ///< A file in adapters() that is copied beside it, or empty.
+  std::string_view judged;  ///< The option with which NAME is judged.
+  /// Reserved words, with spaces around each; empty if NAME names only files in this language.
   std::string_view reserved = "";
 };
 constexpr Language kLanguages[] = {
@@ -73,12 +74,14 @@ std::string write_adapter(const NewArguments& arguments) {
   }
   const fs::path out = arguments.out;
   if (fs::exists(out / file)) {
-    throw scene::InvalidInput("out", arguments.out, file + " already exists");
+    throw std::invalid_argument(
+        fmt::format("{} already exists; give another NAME, or another folder by --out",
+                    (out / file).lexically_normal().string()));
   }
   make_folder("out", out);
   for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
   return fmt::format(
-      "wrote {}: it compiles; when judged, it reports the functions that are missing:\n"
+      "wrote {}: call your code in its functions, then judge it:\n"
       "  raycheck properties {}\n",
       (out / file).lexically_normal().string(),
       named(language->judged, (out / arguments.name).lexically_normal().string()));
@@ -88,7 +91,7 @@ std::string write_adapter(const NewArguments& arguments) {
 
 CommandRun add_new(CLI::App& command) {
   const auto given = std::make_shared<NewArguments>();
-  command.add_option("NAME", given->name, "the name of the adapter, a file beside your code")
+  command.add_option("NAME", given->name, "the name of the adapter: its file is named after it")
       ->required()
       ->check([](const std::string& name) {
         constexpr std::string_view kLetters =
@@ -96,7 +99,8 @@ CommandRun add_new(CLI::App& command) {
         const bool is_name = !name.empty() &&
                              kLetters.substr(0, 52).find(name.front()) != std::string_view::npos &&
                              name.find_first_not_of(kLetters) == std::string::npos;
-        return is_name ? std::string() : "must be a letter, then letters, digits and _";
+        return is_name ? std::string()
+                       : "give a letter, then letters, digits and _, not '" + name + "'";
       });
   command.add_option("--language", given->language, "the language of the adapter")
       ->check(CLI::IsMember(names_of(kLanguages)))

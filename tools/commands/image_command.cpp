@@ -5,8 +5,9 @@
 #include <stdexcept>
 
 #include "scene/number.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/image/image.h"
 #include "tools/terminal.h"
 
@@ -84,11 +85,11 @@ CommandRun add_image(CLI::App& command) {
       ->required()
       ->type_name("FILE");
   add_named(command, "--what", arguments.what, kPictureNames,
-            "sphere: the nearest one, shaded; error: the error of a method's s");
+            "sphere: the nearest spheres, shaded; error: the error of s by a method or candidate");
   command.add_option("--rays", arguments.rays,
-                     "for error: the method that makes rays (default: direct)");
+                     "for --what error: the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
-                     "for error: the method that intersects rays (default: cross)");
+                     "for --what error: the method that intersects rays (default: cross)");
   command.add_option("--size", arguments.size,
                      "pixels across and down, W,H (default: the scene's)");
   add_strict(command, arguments.strict);

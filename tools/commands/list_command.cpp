@@ -1,8 +1,9 @@
 #include <memory>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/list/list.h"
+#include "tools/commands/list.h"
+#include "tools/flags.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 
@@ -10,7 +11,7 @@ CommandRun add_list(CLI::App& command) {
   const auto format = std::make_shared<std::string>();
   const auto bounds = std::make_shared<bool>(false);
   add_format(command, *format, names_of(kListViews));
-  command.add_flag("--bounds", *bounds, "the bounds on errors instead, and how they are proved");
+  command.add_flag("--bounds", *bounds, "show only the bounds on errors, and how they are proved");
   return [format, bounds] {
     if (*bounds) {
       print_view(kBoundsViews, *format, bounds_report());

@@ -1,4 +1,4 @@
-#include "tools/list/list.h"
+#include "tools/commands/list.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

@@ -32,9 +32,9 @@ struct Catalogue {
 };
 Catalogue catalogue();
 
-/// A method's documented bound of a quantity, in u or ulp of the format that it computes in.
+/// A method's documented bound on a quantity, in u or ulp of the format in which it computes.
 struct Promise {
-  std::string_view name;  ///< Of the quantity.
+  std::string_view name;  ///< The name of the quantity.
   double max;
   std::string unit;
 };
@@ -44,12 +44,12 @@ std::vector<Promise> promises_of(const fast::IntersectMethod& method);
 std::string list_text(const Catalogue& catalogue, const ViewOptions& options);
 std::string list_json(const Catalogue& catalogue, const ViewOptions& options);
 
-/// A proved bound, and the largest error of random inputs.
+/// A proved bound, and the largest error observed on random inputs.
 struct ProvedBound {
   const proofs::Bound* bound;
-  double observed;  ///< In its unit.
+  double observed;  ///< In the bound's unit.
 };
-/// All bounds on errors: those that are proved, and those that methods document and laws try.
+/// All bounds on errors: proved bounds, and bounds that methods document and laws test.
 struct BoundsReport {
   std::vector<ProvedBound> proved;
   int samples;

@@ -1,9 +1,10 @@
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/rubric/shipped_rubrics.h"
+#include "tools/grade/rubric/rubric.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
@@ -23,7 +24,8 @@ std::string rubric_report(const RubricArguments& arguments) {
 
 CommandRun add_rubric(CLI::App& command) {
   const auto given = std::make_shared<RubricArguments>();
-  CLI::Option* const name = command.add_option("NAME", given->name, "lecture7");
+  CLI::Option* const name =
+      command.add_option("NAME", given->name, "the name of a rubric: lecture7");
   command.add_option("--out", given->out, "copy the rubric and its scenes to this folder")
       ->needs(name);
   return [given] {

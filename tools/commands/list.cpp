@@ -1,4 +1,4 @@
-#include "tools/list/list.h"
+#include "tools/commands/list.h"
 
 #include "contract/declarations.h"
 #include "contract/words.h"
@@ -9,10 +9,10 @@ namespace {
 
 using properties::Quantity;
 
-/// Random inputs for each proved bound.
+/// The number of random inputs for each proved bound.
 constexpr int kSamples = 2000;
 
-/// A promise in u or ulp of doubles, in those of the format that the method computes in.
+/// Converts a bound in u or ulp of doubles to u or ulp of the format in which the method computes.
 Promise promise(Quantity quantity, double bound, double roundoff) {
   const scene::Precision precision = roundoff >= scene::unit_roundoff(scene::Precision::kSingle)
                                          ? scene::Precision::kSingle

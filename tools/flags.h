@@ -1,6 +1,6 @@
 #pragma once
 
-// How the commands read arguments and write reports. Internal to the commands.
+// Options that several commands have, and how their values are read. Internal to the commands.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -14,12 +14,8 @@
 
 #include "properties/cases/case_source.h"
 #include "scene/files/scene_file.h"
-#include "tools/external/locate.h"
 #include "tools/external/pictures/driver_form.h"
-#include "tools/implementations/built_in.h"
 #include "tools/report/output_file.h"
-#include "tools/report/view.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 
@@ -31,9 +27,7 @@ inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
 /// A whole number in this range; the error names the option.
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
                          std::int64_t most = kMostIndex);
-/// A pixel, "I,J".
-scene::Pixel parse_pixel(const char* option, std::string_view text);
-/// The same for a scene's camera; the error also names the scene's file.
+/// A pixel of a scene's camera, "I,J"; the error also names the scene's file.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
 /// The dialect of a driver file to be read, from --dialect; empty if the text is.
@@ -87,57 +81,6 @@ void add_cases(CLI::App& command, Count& cases, const std::string& meaning) {
 /// The source of cases of that name, SOURCE or SOURCE@SEVERITY; the error names the option.
 properties::ChosenSource parse_source(std::string_view option, const std::string& name);
 
-/// The pairs of methods chosen by --rays and --intersect; `field`: the name of the latter.
-std::vector<MethodPair> chosen_methods(const std::string& rays,
-                                       const std::vector<std::string>& intersect,
-                                       const char* field = "intersect");
-
-/// The values of --sandbox and --i-know; the command sets the default.
-struct SandboxArguments {
-  Sandbox sandbox = Sandbox::kAvailable;
-  bool knows = false;
-};
-CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments);
-Sandbox sandbox_of(const SandboxArguments& arguments);
-
-/// The values of --candidate, --sandbox, --timeout and --bounds; the last three need the first.
-struct ExternalArguments {
-  std::vector<std::string> candidates;
-  std::vector<std::string> reads, includes;  ///< Folders that they may read; with headers.
-  SandboxArguments sandbox;
-  double seconds = Limits{}.seconds;
-  std::uint64_t memory_mib = Limits{}.memory >> 20;
-  std::string bounds;  ///< The methods whose bounds apply; empty: kDefaultMethods.
-  scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
-  std::optional<double> image_change;                      ///< Empty: the precision's default.
-  double threshold = 0;
-  std::optional<scene::Origin> origin;  ///< Of renderers; empty: the scene's.
-};
-void add_external(CLI::App& command, ExternalArguments& arguments);
-/// --precision, --image-change, --t-threshold and --origin, which need a --candidate
-void add_renderer(CLI::App& command, ExternalArguments& arguments);
-/// Compiles each candidate if necessary, and reads its introduction; `driver` is the form of driver
-/// file that renderers read, found by a dry run if the rule tries several.
-std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
-                                            const std::optional<DriverRule>& driver = {});
-/// The same, judged by stages, not by pictures. Errors: CandidateError for a renderer.
-std::vector<Implementation> find_by_stages(const ExternalArguments& arguments);
-/// The values of --rays and --intersect, of add_external, add_renderer and --dialect.
-struct JudgedArguments {
-  std::string rays;
-  std::vector<std::string> intersect;
-  ExternalArguments external;
-  std::string dialect;
-
-  bool name_methods() const { return !rays.empty() || !intersect.empty(); }
-};
-/// The pairs of methods that are named, if any, then the candidates.
-std::vector<Implementation> find_judged(const JudgedArguments& arguments);
-/// The methods of those names, each separately, then the candidates; without names, only the
-/// candidates, if there are any.
-std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
-                                           const ExternalArguments& arguments);
-
 /// --format, one of these names; the first by default.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
 /// The same for views, or other named values.
@@ -147,7 +90,6 @@ std::vector<std::string> names_of(const Named& all) {
   for (const auto& one : all) names.emplace_back(one.name);
   return names;
 }
-void add_methods(CLI::App& command, std::vector<std::string>& methods);
 /// Whether an option names files that are read.
 bool reads(const CLI::Option& option);
 /// Every text of an option that may name a file: the value, what follows "source:" or "name=", and
@@ -156,7 +98,6 @@ std::vector<std::string> files_of(const CLI::Option& option);
 /// The file that an option names, opened before the work whose result it takes; empty if it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
-void add_top(CLI::App& command, std::size_t& top);
 void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_view meaning);
 /// --view FILE: a page for a browser that shows `what`.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
@@ -165,19 +106,5 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path);
 void add_threads(CLI::App& command, int& threads, std::string_view same);
 void add_strict(CLI::App& command, bool& strict);
 void add_seed(CLI::App& command, std::uint64_t& seed);
-
-/// Prints a report in the format of this name.
-/// Domain: a name that add_format accepts.
-template <class Report, std::size_t N>
-void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report) {
-  const bool colours = stdout_takes_colours();
-  for (const View<Report>& view : views) {
-    if (view.name != format) continue;
-    print_report(view.render(report, {colours}), colours);
-  }
-}
-
-/// `found`: a defect or another failure; `checked`: enough was judged to exclude one.
-int exit_code(bool was_interrupted, bool found, bool checked);
 
 }  // namespace raycheck::tools

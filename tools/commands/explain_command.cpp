@@ -3,9 +3,10 @@
 #include <utility>
 
 #include "scene/interruption.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
 #include "tools/explain/explain.h"
+#include "tools/flags.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

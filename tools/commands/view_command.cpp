@@ -7,9 +7,10 @@
 #include <stdexcept>
 
 #include "scene/interruption.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/check/check.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/report/output_file.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress.h"
@@ -36,8 +37,8 @@ struct ViewArguments {
   int threads = tbb::info::default_concurrency();
 };
 
-/// If rays times spheres are at most this, every ray is judged; if rays times spheres times methods
-/// are, the default is all methods of fast/.
+/// If rays times spheres is at most this, every ray is judged. If rays times spheres times methods
+/// is at most this, all methods of fast/ are the default.
 constexpr double kMostJudged = 1 << 22;
 
 struct Size {
@@ -52,7 +53,7 @@ Size size_of(const scene::Scene& scene) {
   return {rays, static_cast<double>(scene.spheres.size())};
 }
 
-/// The default: every intersection method if the scene is small enough, otherwise cross.
+/// The default methods: every intersection method if the scene is small enough, otherwise cross.
 std::vector<MethodPair> default_methods(const Size& size) {
   const auto all = fast::intersect_methods();
   if (size.rays * size.spheres * static_cast<double>(all.size()) > kMostJudged) {
@@ -117,7 +118,7 @@ ViewDocument of_family(const ViewArguments& arguments, const properties::RunCont
   return dial_document(options, !arguments.methods.empty(), control);
 }
 
-/// At most this number of findings; the page has all of them.
+/// At most this many findings are printed; the page has all of them.
 constexpr std::size_t kMostLines = 5;
 
 std::string scene_text(const SceneView& view) {
@@ -125,12 +126,12 @@ std::string scene_text(const SceneView& view) {
   const std::string rays =
       scene.camera ? fmt::format("{} x {} pixels", scene.camera->width, scene.camera->height)
                    : count_text(scene.rays.size(), "ray");
-  return fmt::format("{}: {}, {}, the steps of {}\n", view.name, rays,
+  return fmt::format("{}: {}, {}, the steps of {} of a ray and a sphere\n", view.name, rays,
                      count_text(scene.spheres.size(), "sphere"),
                      count_text(view.panels.size(), "pair"));
 }
 
-/// A page's contents in lines: its first view, its findings, what was left out.
+/// The contents of a page in lines: its first view, its findings, and what was left out.
 std::string view_text(const ViewDocument& document, const std::string& file, std::size_t bytes) {
   std::string text;
   for (const SceneView& view : document.scenes) text += scene_text(view);
@@ -140,15 +141,15 @@ std::string view_text(const ViewDocument& document, const std::string& file, std
     text += fmt::format("  {}: {}\n", finding.candidate, finding.sentence);
   }
   if (shown < document.findings.size()) {
-    text += fmt::format("  and {} more beside the figure\n", document.findings.size() - shown);
+    text += fmt::format("  and {} more on the page\n", document.findings.size() - shown);
   }
   for (const std::string& sentence : document.left_out) text += "left out: " + sentence + "\n";
-  return text + fmt::format("{} written, {} bytes: open it in a browser\n", file, bytes);
+  return text + fmt::format("wrote {}, {} bytes: open it in a browser\n", file, bytes);
 }
 
 int run_view(const ViewArguments& arguments) {
   if (arguments.scene.empty() == arguments.family.empty()) {
-    throw std::invalid_argument("view: give a scene, or --family NAME for a family of cases");
+    throw std::invalid_argument("view: give a scene, or --family NAME for a source of cases");
   }
   if (!arguments.family.empty() && !(arguments.dialect.empty() && arguments.rays.empty() &&
                                      arguments.pixels.empty() && arguments.sphere.empty())) {
@@ -181,9 +182,10 @@ CommandRun add_view(CLI::App& command) {
   const auto given = std::make_shared<ViewArguments>();
   ViewArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
-  command.add_option("--family", arguments.family,
-                     "a stress family instead of a scene: shows a scene at each severity");
-  add_cases(command, arguments.cases, "cases at each severity of a family");
+  command.add_option(
+      "--family", arguments.family,
+      "a source of cases in place of a scene; the page shows a scene at each severity");
+  add_cases(command, arguments.cases, "the number of cases at each severity of a source");
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one self-contained HTML file");
   add_dialect(command, arguments.dialect);
