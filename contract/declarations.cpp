@@ -20,8 +20,10 @@ void read(Words& words, std::optional<Value>& value) {
 
 template <class Value>
 void append_declared(std::string& line, const std::optional<Value>& value) {
-  if (value) append(line, *value);
-  else line += kAsAsked;
+  if (value)
+    append(line, *value);
+  else
+    line += kAsAsked;
 }
 template <class Value>
 void append_declared(std::string& line, const Value& value) {

@@ -81,10 +81,12 @@ struct Interface {
 template <scene::Either<Interface> SomeInterface, class Visit>
 void for_each_choice(SomeInterface& interface, Visit visit) {
   visit("directions", interface.directions, "the directions that it accepts");
-  visit("rays", interface.rays, "what comes with a ray's origin: a direction, or the point at s = 1");
+  visit("rays", interface.rays,
+        "what comes with a ray's origin: a direction, or the point at s = 1");
   visit("spheres", interface.spheres, "the number that comes with a sphere's centre");
   visit("pixels", interface.pixels, "the order of a pixel's two indices");
-  visit("made_directions", interface.made, "the length of the directions of the rays that it makes");
+  visit("made_directions", interface.made,
+        "the length of the directions of the rays that it makes");
   visit("returns", interface.returns, "what it returns for a hit");
 }
 

@@ -3,7 +3,8 @@
 namespace raycheck::contract {
 
 std::vector<scene::Defect> defects(const Declarations& declared) {
-  std::vector<scene::Defect> found = scene::defects(declared.conventions.over(scene::Conventions{}));
+  std::vector<scene::Defect> found =
+      scene::defects(declared.conventions.over(scene::Conventions{}));
   const auto& [smallest, largest] = declared.lengths;
   if (!(smallest >= 0 && smallest < largest)) {
     std::string range;

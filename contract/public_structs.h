@@ -35,8 +35,16 @@ To sphere(const From& s) {
 template <class To>
 To camera(const scene::Camera& c) {
   using Triple = decltype(To::eye);
-  return {triple<Triple>(c.eye), triple<Triple>(c.look_at), triple<Triple>(c.up), c.near,  c.left,
-          c.right,               c.bottom,                  c.top,                c.width, c.height};
+  return {triple<Triple>(c.eye),
+          triple<Triple>(c.look_at),
+          triple<Triple>(c.up),
+          c.near,
+          c.left,
+          c.right,
+          c.bottom,
+          c.top,
+          c.width,
+          c.height};
 }
 template <class From>
 scene::Camera camera(const From& c) {

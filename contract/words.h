@@ -31,10 +31,8 @@ inline constexpr std::array<std::string_view, 4> kEndsWords = {"[]", "[)", "(]",
 
 /// The words for an enumeration's values.
 template <class Enum>
-  requires std::is_enum_v<Enum>
-constexpr auto& words_of(Enum of) {
-  return names_of(of);
-}
+requires std::is_enum_v<Enum>
+constexpr auto& words_of(Enum of) { return names_of(of); }
 constexpr auto& words_of(scene::Ends /*of*/) { return kEndsWords; }
 
 /// Calls visit(field) for each field of a struct that a line has, in the order of the line.
@@ -57,8 +55,8 @@ void for_each_word(SomeConventions& conventions, Visit visit) {
 }
 /// Cameras without `far`, rays, and spheres.
 template <class Thing, class Visit>
-  requires scene::Either<Thing, scene::Camera> || scene::Either<Thing, scene::Ray> ||
-           scene::Either<Thing, scene::Sphere>
+requires scene::Either<Thing, scene::Camera> || scene::Either<Thing, scene::Ray> ||
+    scene::Either<Thing, scene::Sphere>
 void for_each_word(Thing& thing, Visit visit) {
   scene::for_each_field(thing, [&](auto /*name*/, auto& field) {
     if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(field)>, std::optional<double>>) {
@@ -155,8 +153,8 @@ class Words {
     } else if constexpr (requires { value.x; }) {
       for (double* const number : {&value.x, &value.y, &value.z}) *number = read<double>();
     } else {
-      for_each_word(
-          value, [&](auto& field) { field = read<std::remove_reference_t<decltype(field)>>(); });
+      for_each_word(value,
+                    [&](auto& field) { field = read<std::remove_reference_t<decltype(field)>>(); });
     }
     return value;
   }

@@ -106,9 +106,8 @@ properties::Candidate inside(const Candidate& candidate) {
   if (const auto wrong = contract::defects(declared); !wrong.empty()) {
     throw std::invalid_argument(scene::sentences(wrong));
   }
-  properties::Candidate inside =
-      properties::declaring(declared, candidate.name,
-                            properties::fast_candidate(fast::kDirectRays, fast::kCross));
+  properties::Candidate inside = properties::declaring(
+      declared, candidate.name, properties::fast_candidate(fast::kDirectRays, fast::kCross));
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
   static_cast<properties::Functions&>(inside) = properties::adapted(inside, declared.interface);

@@ -143,8 +143,8 @@ struct Functions {
   std::function<void(double share)> allow;
   /// Resets the count of time-outs after which a candidate is dropped. Empty if it cannot time out.
   std::function<void()> reset_timeouts;
-  /// These functions if the candidate is called, and answers, by another interface than the declared
-  /// one. Empty for raycheck's own methods.
+  /// These functions if the candidate is called, and answers, by another interface than the
+  /// declared one. Empty for raycheck's own methods.
   std::function<Functions(const contract::Interface& other)> by_interface;
   /// Restarts the candidate, so that it loses all state. Empty if it cannot be restarted.
   std::function<void()> restart;

@@ -55,8 +55,9 @@ inline constexpr std::array<InputFormat, 6> kInputFormats = {
      {scene::Precision::kSingle, kSegments}}};
 /// Its index among them.
 constexpr std::size_t index_of(InputFormat format) {
-  return 3 * static_cast<std::size_t>(format.precision) +
-         (format.unit_directions ? 1 : format.segments ? 2 : 0);
+  return 3 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1
+                                                           : format.segments      ? 2
+                                                                                  : 0);
 }
 
 /// A case with all numbers rounded to those that a candidate accepts. Truth, law and candidate all
@@ -69,8 +70,9 @@ struct RoundedCase {
 };
 
 /// Normalises given directions if the format needs that, then rounds every number of the scene to
-/// the format, to nearest, ties to even, and for segments the ends of given rays. The case is left out if a number leaves the format's range
-/// (becomes infinite, or 0), or if the rounded scene is invalid.
+/// the format, to nearest, ties to even, and for segments the ends of given rays. The case is left
+/// out if a number leaves the format's range (becomes infinite, or 0), or if the rounded scene is
+/// invalid.
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
 /// The ray with a direction of length 1, up to rounding.

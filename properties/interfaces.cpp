@@ -43,9 +43,9 @@ double end_of(double origin, double step) {
 template <class Make, class Answer>
 void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) {
   if (!make) return;
-  make = [make, interface, answer](
-             const scene::Camera& camera, const scene::Conventions& conventions,
-             Functions::Pixels pixels) {
+  make = [make, interface, answer](const scene::Camera& camera,
+                                   const scene::Conventions& conventions,
+                                   Functions::Pixels pixels) {
     auto all = make(camera, conventions, all_passed(pixels, interface));
     std::ranges::for_each(all, answer);
     return all;
@@ -57,8 +57,7 @@ void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) 
 scene::Ray passed(const scene::Ray& ray, const Interface& interface) {
   if (interface.rays == contract::RayForm::kDirection) return ray;
   const auto& [origin, step] = ray;
-  return {origin,
-          {end_of(origin.x, step.x), end_of(origin.y, step.y), end_of(origin.z, step.z)}};
+  return {origin, {end_of(origin.x, step.x), end_of(origin.y, step.y), end_of(origin.z, step.z)}};
 }
 
 scene::Sphere passed(const scene::Sphere& sphere, const Interface& interface) {

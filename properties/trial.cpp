@@ -95,8 +95,8 @@ reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbo
 
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, const Promises& promises) {
-  const bool compares =
-      promises.interface.returns == Returns::kHit || promises.interface.returns == Returns::kParameter;
+  const bool compares = promises.interface.returns == Returns::kHit ||
+                        promises.interface.returns == Returns::kParameter;
   if (conventions.valid.is_usual() || !compares) return false;
   if (!answer.s || !std::isfinite(*answer.s)) return false;
   if (!reference::is_outside(conventions.valid, answer.ray, answer.sphere, *answer.s)) return false;
@@ -236,7 +236,8 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
     if (!is_wrong(answer, conventions(), candidate())) continue;
     const reference::Neighbourhood around = neighbourhood(
         excused_change() * plain_growth(plain_change(candidate(), answer.ray, answer.sphere)));
-    Excuse one = excuse_of(nearby(answer, around, candidate().interface.returns), around.relative_change);
+    Excuse one =
+        excuse_of(nearby(answer, around, candidate().interface.returns), around.relative_change);
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;
   }

@@ -66,7 +66,8 @@ constexpr Need kNeeds[] = {
     {Needs::kParameters,
      [](const Trial& trial) { return gives_parameter(trial.candidate().interface.returns); },
      "the candidate returns points, not s"},
-    {Needs::kPoints, [](const Trial& trial) { return gives_point(trial.candidate().interface.returns); },
+    {Needs::kPoints,
+     [](const Trial& trial) { return gives_point(trial.candidate().interface.returns); },
      "the candidate returns s, not points"},
     {Needs::kNearest, has<&Functions::nearest>, "the candidate does not implement nearest()"},
     {Needs::kVisible, has<&Functions::visible>, "only some of raycheck's methods have visible()"},
@@ -128,8 +129,7 @@ std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventio
   for (const scene::Pixel& pixel : the_case.pixels) {
     const reference::ExactRay exact(camera, pixel);
     const auto [x, y, z] = exact.rounded_direction(format.precision);
-    const scene::Ray ray =
-        rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
+    const scene::Ray ray = rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
     if (!scene::defects(ray).empty()) continue;
     scene.rays.push_back(ray);
     given.pixels.push_back(pixel);
@@ -307,7 +307,8 @@ Trials::Trials(const Case& the_case, const Candidate& candidate, const TrialOpti
 
 Trial& Trials::of(const Law& law) {
   if (!wants_given_rays(law, on_case_)) return on_case_;
-  if (!given_) given_ = given_rays(case_, on_case_.conventions(), on_case_.candidate().input_format());
+  if (!given_)
+    given_ = given_rays(case_, on_case_.conventions(), on_case_.candidate().input_format());
   if (!given_) return on_case_;
   if (!on_given_) on_given_.emplace(given_->the_case, on_case_.candidate(), options_);
   return *on_given_;

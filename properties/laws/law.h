@@ -74,9 +74,9 @@ struct GivenRays {
 };
 
 /// The case with given rays in place of its camera: the exact rays under these conventions,
-/// correctly rounded to what a candidate accepts and then taken as exact. For candidates that intersect rays but
-/// make none. Rays that round to non-finite ones are left out; empty if no ray is left. Domain: a
-/// valid scene with a camera; otherwise throws std::invalid_argument.
+/// correctly rounded to what a candidate accepts and then taken as exact. For candidates that
+/// intersect rays but make none. Rays that round to non-finite ones are left out; empty if no ray
+/// is left. Domain: a valid scene with a camera; otherwise throws std::invalid_argument.
 std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
                                     InputFormat format = {});
 

@@ -122,7 +122,8 @@ bool accepts_any_length(const Candidate& candidate) {
   return candidate.interface.directions == contract::Directions::kAny;
 }
 bool returns_distances(const Candidate& candidate) {
-  return candidate.interface.returns == Returns::kDistance || candidate.interface.returns == Returns::kSquaredDistance;
+  return candidate.interface.returns == Returns::kDistance ||
+         candidate.interface.returns == Returns::kSquaredDistance;
 }
 
 /// A mistake in code that assumes unit directions: its s is a multiple of D or a distance.

@@ -40,7 +40,8 @@ Mistake of_value(std::string sentence, ChangeHit change,
 
 bool returns_points(const Candidate& candidate) { return gives_point(candidate.interface.returns); }
 bool returns_multiples(const Candidate& candidate) {
-  return candidate.interface.returns == Returns::kHit || candidate.interface.returns == Returns::kParameter;
+  return candidate.interface.returns == Returns::kHit ||
+         candidate.interface.returns == Returns::kParameter;
 }
 
 Hit wherever_behind(const Ray& ray, const Roots& roots, Conventions conventions) {

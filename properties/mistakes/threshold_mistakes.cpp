@@ -162,7 +162,8 @@ Mistake point_outside(const char* distance) {
                              hit.point.z + share * N.z};
                 return hit;
               },
-          .is_offered = [](const Candidate& candidate) { return gives_point(candidate.interface.returns); }};
+          .is_offered =
+              [](const Candidate& candidate) { return gives_point(candidate.interface.returns); }};
 }
 
 /// Axes and directions from vectors that are not normalised, or become 0, if |v|^2 is below

@@ -8,8 +8,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// A convention that a candidate may follow even if the scene says otherwise, another declaration of
-/// the valid roots, or another interface.
+/// A convention that a candidate may follow even if the scene says otherwise, another declaration
+/// of the valid roots, or another interface.
 struct Followed {
   std::string text;
   DeclaredConventions declared;
@@ -66,7 +66,8 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
     Followed one{std::string(name) + " = " + std::string(scene::name(other)), {}};
     contract::for_each_choice(one.interface.emplace(candidate.interface),
                               [&](auto /*name*/, auto& value, auto) {
-                                if constexpr (std::is_same_v<decltype(value), Value&>) value = other;
+                                if constexpr (std::is_same_v<decltype(value), Value&>)
+                                  value = other;
                               });
     all.push_back(std::move(one));
   });

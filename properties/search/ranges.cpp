@@ -85,7 +85,8 @@ class RangeSearch {
                                                : std::numeric_limits<float>::max())) {}
 
   Ranges run() {
-    const NamedNumbers numbers = named_numbers(case_.scene, !candidate_.input_format().unit_directions);
+    const NamedNumbers numbers =
+        named_numbers(case_.scene, !candidate_.input_format().unit_directions);
     try {
       const auto worst = Trials(case_, candidate_, {.max_error = max_error_}).apply(law_).worst(1);
       if (worst.empty() || !is_held_against(worst.front(), strict_)) return {};

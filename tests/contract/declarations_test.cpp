@@ -1,6 +1,7 @@
 #include "contract/declarations.h"
 
 #include <raycheck/candidate.h>
+
 #include <raycheck/candidate.hpp>
 
 #include "contract/public_structs.h"
@@ -47,13 +48,15 @@ TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expect
         {"level", "too few words"},
         {"returns hit point", "too many words"},
         {"t_min soon", "not a number"},
-        {"samplez edges", "'samplez', not one of rows, samples, origin, root, tangent, roots, level, "
-                          "lengths, precision, directions, returns, t_min, t_max"}}) {
+        {"samplez edges",
+         "'samplez', not one of rows, samples, origin, root, tangent, roots, level, "
+         "lengths, precision, directions, returns, t_min, t_max"}}) {
     EXPECT_TRUE(has(thrown_by<std::invalid_argument>([&] { declared(contract); }), why));
   }
-  for (const auto& [contract, field] :
-       {std::pair("lengths 2 1", "lengths"), {"lengths nan 1", "lengths"},
-        {"t_min 2; t_max 1", "conventions.t_max"}, {"t_min -1", "conventions.t_min"}}) {
+  for (const auto& [contract, field] : {std::pair("lengths 2 1", "lengths"),
+                                        {"lengths nan 1", "lengths"},
+                                        {"t_min 2; t_max 1", "conventions.t_max"},
+                                        {"t_min -1", "conventions.t_min"}}) {
     const std::vector<scene::Defect> found = defects(declared(contract));
     ASSERT_EQ(found.size(), 1u) << contract;
     EXPECT_EQ(found[0].field, field);
@@ -134,12 +137,11 @@ TEST(PublicStructs, declare_what_the_header_of_their_version_has) {
   library.roots = RAYCHECK_ROOTS_AS_ASKED;
   library.returns = RAYCHECK_RETURNS_POINT;
   library.contract = "rows top-first";
-  const std::vector<std::vector<std::string>> by_version = {
-      {"root smaller"},
-      {"lengths 0 2", "level extreme"},
-      {"precision single", "roots as-asked"},
-      {"returns point"},
-      {"rows top-first"}};
+  const std::vector<std::vector<std::string>> by_version = {{"root smaller"},
+                                                            {"lengths 0 2", "level extreme"},
+                                                            {"precision single", "roots as-asked"},
+                                                            {"returns point"},
+                                                            {"rows top-first"}};
   std::vector<std::string> expected;
   for (std::uint32_t version = 1; version <= by_version.size(); ++version) {
     const std::vector<std::string>& more = by_version[version - 1];

@@ -102,11 +102,10 @@ Asked asked_of(const CheckReport& report, const CandidateReport& candidate,
   if (!candidate.given_rays || !place.pixel || !needs_any(law.needs, properties::Needs::kRays)) {
     return asked;
   }
-  asked.scene =
-      properties::given_rays({scene, {*place.pixel}}, candidate.conventions,
-                             candidate.implementation.input_format())
-          .value()
-          .the_case.scene;
+  asked.scene = properties::given_rays({scene, {*place.pixel}}, candidate.conventions,
+                                       candidate.implementation.input_format())
+                    .value()
+                    .the_case.scene;
   place.ray = 0;
   place.pixel.reset();
   return asked;

@@ -49,7 +49,8 @@ std::vector<Choice> declarations() {
   std::vector<Choice> all;
   const contract::Declarations usual;
   contract::for_each_declaration(usual, [&](const char* name, auto& field, const char* meaning) {
-    if constexpr (requires { contract::words_of(field); } || requires { field.smallest; }) {
+    if constexpr (
+        requires { contract::words_of(field); } || requires { field.smallest; }) {
       all.push_back(choice(name, field, meaning));
     }
   });
@@ -75,8 +76,12 @@ std::vector<Promise> promises_of(const fast::IntersectMethod& method) {
 }
 
 Catalogue catalogue() {
-  return {fast::pixel_ray_methods(), fast::intersect_methods(), properties::laws(),
-          properties::case_sources(), conventions(), declarations()};
+  return {fast::pixel_ray_methods(),
+          fast::intersect_methods(),
+          properties::laws(),
+          properties::case_sources(),
+          conventions(),
+          declarations()};
 }
 
 BoundsReport bounds_report() {

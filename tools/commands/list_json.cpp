@@ -61,7 +61,10 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
     if (!choice.values.empty()) json["conventions"][choice.name] = choice.values;
   }
   json["declarations"] = list_json(catalogue.declarations, [](const Choice& one) {
-    return Json{{"name", one.name}, {"sentence", one.meaning}, {"default", one.usual}, {"values", one.values}};
+    return Json{{"name", one.name},
+                {"sentence", one.meaning},
+                {"default", one.usual},
+                {"values", one.values}};
   });
   return json_text(json);
 }

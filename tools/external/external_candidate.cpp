@@ -406,7 +406,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   if (external.renderer) return rendering_candidate(external, last);
   const auto talk = std::make_shared<Conversation>(external, last);
   Candidate candidate = properties::declaring(external.introduction.declared, external.name,
-                                               candidate_of(external.bounds));
+                                              candidate_of(external.bounds));
   candidate.allow = [talk](double share) { talk->allow(share); };
   candidate.reset_timeouts = [talk] { talk->reset_timeouts(); };
   candidate.restart = [talk] { talk->restart(); };

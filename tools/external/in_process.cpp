@@ -63,8 +63,9 @@ ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library
         for (std::size_t ray = 0; ray < hits.size(); ++ray) {
           const auto& [hit, parameter, point] = hits[ray];
           if (hit == 0) continue;
-          list.push_back({ray, properties::completed({parameter, contract::triple<scene::Point3>(point)},
-                                         interface.returns, given[k].rays[ray], given[k].sphere)});
+          list.push_back(
+              {ray, properties::completed({parameter, contract::triple<scene::Point3>(point)},
+                                          interface.returns, given[k].rays[ray], given[k].sphere)});
         }
         return list;
       });
@@ -90,7 +91,8 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
                       asked(call.conventions),
                       {}});
     for (const scene::Pixel& pixel : call.pixels) {
-      calls->back().pixels.push_back(contract::pixel<raycheck_pixel>(properties::passed(pixel, interface)));
+      calls->back().pixels.push_back(
+          contract::pixel<raycheck_pixel>(properties::passed(pixel, interface)));
     }
   }
   return ready<std::vector<scene::Ray>, Rays>(

@@ -260,7 +260,7 @@ void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>&
   std::array<std::vector<IntersectCall>, properties::kInputFormats.size()> by_format;
   std::vector<Clocked> all;
   for (MethodCost& cost : costs) {
-    const properties::Candidate candidate = cost.method.make();
+    const properties::Candidate candidate = cost.candidate.make();
     std::vector<IntersectCall>& pairs = by_format[index_of(candidate.input_format())];
     if (pairs.empty()) pairs = pairs_of(in_format_of(candidate, cases));
     std::vector<IntersectCall> inside;

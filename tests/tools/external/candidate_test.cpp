@@ -229,10 +229,11 @@ TEST(Candidate, in_JavaScript_reports_its_errors) {
   };
   expect_parts(refusal_of(candidate("throw new Error('no library')")),
                {"it exited with 1; it said: Error: no library\n"});
-  for (const auto& [roots, wrong] : {std::pair("5", "has '5', not one of [], [), (], ()"),
-                                     {"{ tmin: 1 }", "no such roots: tmin"},
-                                     {"0", "has '0', not one of []"},
-                                     {"'as-asked', root: 'smallest'", "'smallest', not one of nearest, smaller"}}) {
+  for (const auto& [roots, wrong] :
+       {std::pair("5", "has '5', not one of [], [), (], ()"),
+        {"{ tmin: 1 }", "no such roots: tmin"},
+        {"0", "has '0', not one of []"},
+        {"'as-asked', root: 'smallest'", "'smallest', not one of nearest, smaller"}}) {
     expect_parts(refusal_of(candidate(std::string("run('it', { intersect: () => null, roots: ") +
                                       roots + " })")),
                  {wrong});
@@ -372,11 +373,12 @@ TEST(Candidate, is_isolated_as_requested) {
 TEST(Candidate, that_does_not_build_or_has_unknown_functions_or_declarations_is_refused) {
   const std::string declaring =
       "#include <raycheck/candidate.hpp>\nusing namespace raycheck;\nRAYCHECK_CANDIDATE(";
-  for (const auto& [text, why] :
-       {std::pair<std::string, const char*>("int main( {\n", "error: "),
-        {"int x;\n", "raycheck_candidate_functions"},
-        {declaring + ".rows = static_cast<Rows>(7))\n", "rows = 7: expected 1 (bottom-first), 2 (top-first)"},
-        {declaring + ".precision = static_cast<Precision>(7))\n", "precision = 7: expected 0 (double)"}}) {
+  for (const auto& [text, why] : {std::pair<std::string, const char*>("int main( {\n", "error: "),
+                                  {"int x;\n", "raycheck_candidate_functions"},
+                                  {declaring + ".rows = static_cast<Rows>(7))\n",
+                                   "rows = 7: expected 1 (bottom-first), 2 (top-first)"},
+                                  {declaring + ".precision = static_cast<Precision>(7))\n",
+                                   "precision = 7: expected 0 (double)"}}) {
     const std::string source = temporary_file("broken.cpp", text);
     expect_refused("check " + kRays + " --candidate source:" + source, why);
   }

@@ -208,7 +208,11 @@ TEST(Completed, AddsDerivedValues) {
     functions.intersect = [&](auto, auto, const auto&) {
       return std::vector<properties::SphereHits>{{{0, given}}};
     };
-    return adapted(functions, {.returns = returns}).intersect({&ray, 1}, {&sphere, 1}, {}).at(0).at(0).hit;
+    return adapted(functions, {.returns = returns})
+        .intersect({&ray, 1}, {&sphere, 1}, {})
+        .at(0)
+        .at(0)
+        .hit;
   };
   EXPECT_EQ(of(Returns::kParameter, {1, {}}).point.x, 5);
   EXPECT_EQ(of(Returns::kDistance, {4, {}}).parameter, 1);
@@ -228,10 +232,14 @@ TEST(RoundedCase, MakesDirectionsUnitIfRequired) {
     EXPECT_EQ(rounded.made_unit, 2u);
     ASSERT_TRUE(rounded.the_case);
     EXPECT_EQ(rounded.the_case->scene.rays[2].direction.x, 1);
-    EXPECT_TRUE(properties::is_of_format(rounded.the_case->scene, {precision, properties::kUnitDirections}));
-    EXPECT_EQ(properties::rounded_case(*rounded.the_case, {precision, properties::kUnitDirections}).made_unit, 0u);
+    EXPECT_TRUE(properties::is_of_format(rounded.the_case->scene,
+                                         {precision, properties::kUnitDirections}));
+    EXPECT_EQ(properties::rounded_case(*rounded.the_case, {precision, properties::kUnitDirections})
+                  .made_unit,
+              0u);
   }
-  EXPECT_FALSE(properties::is_of_format(one.scene, {Precision::kDouble, properties::kUnitDirections}));
+  EXPECT_FALSE(
+      properties::is_of_format(one.scene, {Precision::kDouble, properties::kUnitDirections}));
   EXPECT_TRUE(properties::is_of_format(one.scene, Precision::kDouble));
 }
 

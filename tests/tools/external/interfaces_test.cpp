@@ -36,10 +36,9 @@ const std::vector<Called> kCalled = {
 std::string candidate(const Called& called, const std::string& contract) {
   std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp");
   text.resize(text.rfind("RAYCHECK_CANDIDATE("));
-  return compiled(temporary_file(
-      called.name + std::to_string(contract.size()) + ".cpp",
-      text + called.functions + "RAYCHECK_CANDIDATE(" + called.members + ", .contract = \"" +
-          contract + "\")\n"));
+  return compiled(temporary_file(called.name + std::to_string(contract.size()) + ".cpp",
+                                 text + called.functions + "RAYCHECK_CANDIDATE(" + called.members +
+                                     ", .contract = \"" + contract + "\")\n"));
 }
 
 Outcome judged_by(const Called& called, const std::string& contract, const std::string& laws) {
@@ -56,7 +55,8 @@ TEST(Interfaces, are_right_as_declared) {
 TEST(Interfaces, that_are_not_declared_are_named) {
   for (const Called& called : kCalled) {
     const bool limits = called.contract.find(';') != std::string::npos;
-    const Outcome outcome = judged_by(called, limits ? "t_max 1" : "", "--filter " + called.law + (limits ? " --source rays" : ""));
+    const Outcome outcome = judged_by(called, limits ? "t_max 1" : "",
+                                      "--filter " + called.law + (limits ? " --source rays" : ""));
     EXPECT_EQ(outcome.exit_code, 1) << called.name;
     expect_parts(outcome.out, {"right under " + called.says + ", which it does not declare"});
   }

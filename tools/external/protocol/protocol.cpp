@@ -53,8 +53,7 @@ Introduction parse_introduction(std::string_view text) {
     } else if (words.skip("function")) {
       const std::string_view function = words.word();
       if (std::ranges::find(contract::kFunctions, function) == contract::kFunctions.end()) {
-        words.fail("offers an unknown function, not one of " +
-                   scene::joined(contract::kFunctions));
+        words.fail("offers an unknown function, not one of " + scene::joined(contract::kFunctions));
       }
       introduction.functions.emplace(function);
     } else {

@@ -60,8 +60,7 @@ class Reply {
     return *this;
   }
   template <class Value>
-    requires(!std::convertible_to<Value, std::string_view>)
-  Reply& operator<<(const Value& value) {
+  requires(!std::convertible_to<Value, std::string_view>) Reply& operator<<(const Value& value) {
     contract::append(buffer_, value);
     return *this;
   }
