@@ -211,7 +211,7 @@ TEST(Candidate, in_Python_reports_its_errors_with_their_lines) {
   expect_parts(
       report["worst"].dump(),
       {"intersect: it failed: ZeroDivisionError: division by zero (", "mistaken.py, line 3)"});
-  expect_parts(refusal_of(candidate("rc.run('mine', interset=None)\n")),
+  expect_parts(refusal_of(candidate("rc.run('mine', interset=print)\n")),
                {"no such function: interset; the functions are frame, pixel_point"});
   expect_parts(refusal_of(candidate("print('hello')\nrc.run('mine', nearest=print)\n")),
                {"its first line is 'hello', not 'raycheck 1 NAME'"});
@@ -228,7 +228,7 @@ TEST(Candidate, in_JavaScript_reports_its_errors) {
     return "command:node " + folder + "/it.mjs";
   };
   expect_parts(refusal_of(candidate("throw new Error('no library')")),
-               {"it exited with 1; it said: Error: no library\n"});
+               {"it exited with 1; it printed: Error: no library\n"});
   for (const auto& [roots, wrong] :
        {std::pair("5", "has '5', not one of [], [), (], ()"),
         {"{ tmin: 1 }", "no such roots: tmin"},
