@@ -7,6 +7,7 @@
 #include <charconv>
 #include <compare>
 #include <map>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -129,7 +130,7 @@ class AskedCase {
   Rounded& in(InputFormat format) {
     auto& kept = formats_[index_of(format)];
     if (!kept) {
-      kept.emplace(Rounded{rounded_case(made_, format), {}});
+      kept = std::make_unique<Rounded>(Rounded{rounded_case(made_, format), {}});
       if (kept->rounded.the_case) kept->truths.emplace(*kept->rounded.the_case);
     }
     return *kept;
@@ -137,7 +138,7 @@ class AskedCase {
 
   std::uint64_t seed_;
   Case made_;
-  std::array<std::optional<Rounded>, kInputFormats.size()> formats_;
+  std::array<std::unique_ptr<Rounded>, kInputFormats.size()> formats_;
   const Candidate* candidate_ = nullptr;
   std::optional<Trials> trials_;
 };
