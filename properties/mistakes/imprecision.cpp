@@ -97,7 +97,7 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
 std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
   if (arithmetic == Arithmetic::kSingle) return "computed in single precision";
   if (arithmetic == Arithmetic::kExpanded) {
-    return "far from the world's origin |C - L|^2 loses its digits, because larger squares are "
+    return "|C - L|^2 loses its digits far from the world's origin, because larger squares are "
            "subtracted; (C - L) . (C - L) keeps them";
   }
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "

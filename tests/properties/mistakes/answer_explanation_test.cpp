@@ -581,7 +581,7 @@ TEST(AnswerExplanation, OfLostDigitsNamesTheTermAndTheDistance) {
       "d^2 loses its digits (here more than 10^");
   expect([](auto& L, auto& C, auto&, double v,
             double r) { return r * r - (dot(C, C) - 2 * dot(L, C) + dot(L, L) - v * v); },
-         "far from the world's origin |C - L|^2 loses its digits");
+         "|C - L|^2 loses its digits far from the world's origin");
   Candidate in_floats = fast_candidate(fast::kDirectRays, fast::kCross);
   in_floats.precision = scene::Precision::kSingle;
   answer_by(in_floats, hits_by({.roots = roots_of([](auto& L, auto& C, auto&, double v, double r) {

@@ -317,8 +317,8 @@ TEST(PictureCausesOfTwoMistakes, NameTheTiesOfBoth) {
   EXPECT_EQ(
       sentences_for(pictures),
       Sentences{"(left and right are both negated, or: U has the wrong sign); and (s >= 0 is not "
-                "tested: spheres behind the origin are hit, or: the smallest s wins, though "
-                "it is negative)"});
+                "tested: spheres behind the origin are hit, or: the smallest s wins, even if "
+                      "it is negative)"});
 }
 
 TEST(PictureCauses, ContradictNoRightPicture) {

@@ -181,7 +181,7 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "f.txt:3: camera.look_at = [0, 0, 4]: is the same point as eye\n"
             "f.txt:7: camera.width = 0: is below 1 pixel\n"
             "f.txt:7: camera.height = 1: is too few; samples = edges "
-            "needs 2 or more\n"
+            "divides by this number less 1: give 2 or more\n"
             "f.txt:1: sphere[0].radius = -1: is negative\n"
             "f.txt:8: sphere[1].centre = [0, 0, inf]: is not finite");
   EXPECT_EQ(error_of(replaced(kC, "0 1 0", "0 0 5")),

@@ -180,7 +180,7 @@ TEST(ReadToml, ReportsEveryValidationProblemWithItsLine) {
       "f.toml:9: camera.top = inf: is not finite\n"
       "f.toml:11: camera.height = 0: is below 1 pixel\n"
       "f.toml:10: camera.width = 1: is too few; samples = edges "
-      "needs 2 or more\n"
+      "divides by this number less 1: give 2 or more\n"
       "f.toml:13: sphere[0].centre = [0, 0, nan]: is not finite\n"
       "f.toml:14: sphere[0].radius = -1: is negative");
   EXPECT_EQ(error_of_toml(kRay + "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 0]\n"),
