@@ -2,7 +2,7 @@
 
 namespace raycheck::fast {
 
-/// The formula of `double-double` in x87's format, whose significands have 64 bits. Domain: kWideDomain.
+/// The formula of `double-double` in x87's format (significands of 64 bits). Domain: kWideDomain.
 const IntersectMethod kLongDouble = {
     .name = "long-double",
     .sentence = "disc = a r^2 - |T x d|^2 and roots by q, in 64 bits (x87)",

@@ -156,7 +156,7 @@ typedef struct raycheck_candidate {
 
   /* From version 2 on. */
   int32_t level;
-  /* Scenes with a nonzero length outside these bounds are not judged; both 0: below 2^-960. */
+  /* Scenes with a nonzero length outside these bounds are not judged; both 0: 2^-960 and inf. */
   double smallest_length, largest_length;
 
   /* From version 3 on. */

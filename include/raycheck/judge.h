@@ -35,7 +35,7 @@ struct Candidate {
   Conventions declares;
   /// The difficulty of the cases that it must get right; unstated: ordinary.
   Level level = Level::unstated;
-  /// Scenes with a nonzero length outside these bounds are not judged; both 0: below 2^-960.
+  /// Scenes with a nonzero length outside these bounds are not judged; both 0: 2^-960 and inf.
   double smallest_length = 0, largest_length = 0;
   /// single: cases are rounded to floats, passed as doubles; errors and bounds are counted in u and
   /// ulp of float.

@@ -18,8 +18,8 @@ struct PlanTerms {
   bool far_root_may_count;
   double width, height;
   Bounds near, across, along;  ///< The image plane.
-  Bounds start;                ///< Where rays start, measured along W or -W, whichever they follow.
-  Bounds ahead;                ///< Where the image plane is, measured likewise.
+  Bounds start;                ///< Where rays start, measured along W, or -W if they go so.
+  Bounds ahead;                ///< Where the image plane is, measured as `start`; scaled as near().
 };
 
 /// The plans of several spheres, lane by lane.
