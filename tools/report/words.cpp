@@ -111,9 +111,11 @@ std::string not_needed_text(const std::vector<std::string>& not_needed) {
 
 std::string wrong_share_text(std::uint64_t explained, std::uint64_t errors,
                              std::string_view answers) {
-  if (errors == 1) return fmt::format("the one wrong {}", answers.substr(0, answers.size() - 1));
-  return explained == errors ? fmt::format("all {} wrong {}", errors, answers)
-                             : fmt::format("{} of {} wrong {}", explained, errors, answers);
+  if (errors == 1) {
+    return fmt::format("the only wrong {} examined", answers.substr(0, answers.size() - 1));
+  }
+  return explained == errors ? fmt::format("all {} wrong {} examined", errors, answers)
+                             : fmt::format("{} of {} wrong {} examined", explained, errors, answers);
 }
 
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
@@ -219,7 +221,7 @@ std::string excuse_text(const Discrepancy& d) {
       return fmt::format("ill-conditioned: the condition number {} allows this error",
                          error_text(excuse.amount));
     case ExcuseKind::kOutsideDomain:
-      return "the scene lies outside the candidate's domain";
+      return "a length of the scene lies outside the judged domain";
     default:
       return {};
   }
