@@ -51,7 +51,7 @@ constexpr Need kNeeds[] = {
     {Needs::kImage, has<&Functions::image>, "the candidate draws no images"},
     {Needs::kMadeRays, has_camera, "the rays are given, not made from a camera", true},
     {kOfCameras, has_camera, "the scene has no camera", true},
-    {kOfFunctions, has_other_than_image, "a renderer is judged only by its pictures"},
+    {kOfFunctions, has_other_than_image, "applies to functions; the law image judges a renderer's pictures"},
     {Needs::kFrame, has<&Functions::frame>, "the candidate does not implement frame()"},
     {Needs::kPixelPoints, has<&Functions::pixel_points>,
      "the candidate does not implement pixel_point()"},

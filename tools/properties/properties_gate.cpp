@@ -62,9 +62,9 @@ std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool
 std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
   const std::string shown = scene::joined(
       defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place + " cases"; });
-  const std::string_view why = campaign.explanations.empty()
-                                   ? campaign.law->sentence
-                                   : std::string_view(campaign.explanations.front().sentence);
+  const std::string why = campaign.explanations.empty()
+                                   ? fmt::format("breaks the law: {}", campaign.law->sentence)
+                                   : campaign.explanations.front().sentence;
   return fmt::format("{} ({})", why, shown);
 }
 

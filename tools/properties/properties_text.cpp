@@ -28,7 +28,7 @@ using properties::Finding;
 using properties::Level;
 using properties::Standing;
 
-/// "rays, all of up, distance@3..7, tangency@6,9..12": a range is a run of severities that were
+/// "rays, up@all, distance@3..7, tangency@6,9..12": a range is a run of severities that were
 /// judged one after the other.
 std::string broken_text(const CampaignResult& result) {
   std::string text;
@@ -45,8 +45,8 @@ std::string broken_text(const CampaignResult& result) {
       runs += fmt::format("{}{}", runs.empty() ? "@" : ",", *parts[first].source.severity);
       if (k > first) runs += fmt::format("..{}", *parts[k].source.severity);
     }
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", is_all ? "all of " : "",
-                        parts[0].source.source->name, runs);
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", parts[0].source.source->name,
+                        is_all ? "@all" : runs);
   }
   return text;
 }

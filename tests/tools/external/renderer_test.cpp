@@ -52,7 +52,7 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
   expect_parts(none.out,
                {"0 of 1040 rays judged\n", "; no single question that fails was found\n",
                 "no answer: image: it exited with 0, but did not write its picture, image.ppm",
-                ": a renderer is judged only by its pictures\n"});
+                ": applies to functions; the law image judges a renderer's pictures\n"});
 }
 
 TEST(Renderer, whose_format_cannot_express_a_scene_is_not_judged_on_it) {
