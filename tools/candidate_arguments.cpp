@@ -17,9 +17,10 @@ namespace raycheck::tools {
 
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
-      .add_option("--method,--methods", methods,
-                  "only these methods, separated by commas, or all (default: all but reference; with "
-                  "--candidate none)")
+      .add_option(
+          "--method,--methods", methods,
+          "only these methods, separated by commas, or all (default: all but reference; with "
+          "--candidate none)")
       ->delimiter(',');
 }
 
@@ -60,7 +61,8 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
   constexpr double kLeastSeconds = 1e-3, kMostSeconds = 86400;
   CLI::Option* const candidate =
       command.add_option("--candidate", arguments.candidates,
-                         "your code to judge: library:PATH.so, source:PATH or command:'WORDS' (check and properties: also "
+                         "your code to judge: library:PATH.so, source:PATH or command:'WORDS' "
+                         "(check and properties: also "
                          "renderer:'WORDS'); may be repeated");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
   command

@@ -37,8 +37,8 @@ std::int64_t parse_index(const char* option, std::string_view text, std::int64_t
   const auto number = scene::parse_number(text);
   if (!number || !(*number >= static_cast<double>(least) && *number <= static_cast<double>(most)) ||
       *number != static_cast<double>(static_cast<std::int64_t>(*number))) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: give {}a whole number from {} to {}", option, text, others, least, most));
+    throw std::invalid_argument(fmt::format("{} {}: give {}a whole number from {} to {}", option,
+                                            text, others, least, most));
   }
   return static_cast<std::int64_t>(*number);
 }

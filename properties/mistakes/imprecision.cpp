@@ -104,7 +104,8 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
                                                                  : "") +
          "d^2 loses its digits (" +
          (radii < 10 ? "near tangents"
-                     : "in the cases examined from 10^" + std::to_string(power_of_ten(radii)) + " radii on") +
+                     : "in the cases examined from 10^" + std::to_string(power_of_ten(radii)) +
+                           " radii on") +
          "), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them";
 }
 

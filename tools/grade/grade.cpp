@@ -362,9 +362,9 @@ std::string try_text(const StudentGrade& shown, const std::string& out) {
   if (!out.empty()) {
     const bool has_cases = std::ranges::any_of(
         shown.submission.items, [](const ItemGrade& item) { return item.failing.has_value(); });
-    text += fmt::format("\nwrote {}/report.html{}\n",
-                        (fs::path(out) / shown.submission.name).string(),
-                        has_cases ? ", and the smallest failing cases beside it" : "");
+    text +=
+        fmt::format("\nwrote {}/report.html{}\n", (fs::path(out) / shown.submission.name).string(),
+                    has_cases ? ", and the smallest failing cases beside it" : "");
   }
   return text;
 }

@@ -207,7 +207,8 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
     const std::vector<Case> asked = asked_of(timed, stage);
     if (asked.empty()) {
       costs.clear();
-      report.left_out.push_back(fmt::format("{}: no case asks for this", stage == Stage::kRays ? "making rays" : name(stage)));
+      report.left_out.push_back(fmt::format("{}: no case asks for this",
+                                            stage == Stage::kRays ? "making rays" : name(stage)));
       continue;
     }
     if (stage == Stage::kRays) {

@@ -318,7 +318,7 @@ TEST(PictureCausesOfTwoMistakes, NameTheTiesOfBoth) {
       sentences_for(pictures),
       Sentences{"(left and right are both negated, or: U has the wrong sign); and (s >= 0 is not "
                 "tested: spheres behind the origin are hit, or: the smallest s wins, even if "
-                      "it is negative)"});
+                "it is negative)"});
 }
 
 TEST(PictureCauses, ContradictNoRightPicture) {
@@ -461,9 +461,8 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeNameBoth) {
   pictures.push_back(shown_by(fast::kDirectRays, fast::kLecture, {far_scene(2e8)}).front());
   EXPECT_EQ(
       sentences_for(pictures),
-      Sentences{
-          std::string("top is -bottom; and ") + kDifference +
-          "8 radii on), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them"});
+      Sentences{std::string("top is -bottom; and ") + kDifference +
+                "8 radii on), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them"});
 }
 
 /// Every pixel is in doubt.

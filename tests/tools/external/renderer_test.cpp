@@ -92,7 +92,8 @@ TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_all_sources_and_explained)
   EXPECT_GE(campaign["explanations"][0]["wrong"], 3);
   const Outcome words = tried(built, "--source course --image-change 1e-5");
   EXPECT_EQ(words.exit_code, 1);
-  expect_parts(words.out, {"columns are mirrored; this explains all ", "{image}' --image-change 1e-05 --replay '"});
+  expect_parts(words.out, {"columns are mirrored; this explains all ",
+                           "{image}' --image-change 1e-05 --replay '"});
 }
 
 /// Each of two threads takes half of 128 cases; its first run waits until both have started.
