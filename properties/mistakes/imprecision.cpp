@@ -102,9 +102,10 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
   }
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
-         "d^2 loses its digits (here " +
+         "d^2 loses its digits (" +
          (radii < 10 ? "near tangents"
-                     : "more than 10^" + std::to_string(power_of_ten(radii)) + " radii away") +
+                     : "in the cases examined from 10^" + std::to_string(power_of_ten(radii)) +
+                           " radii on") +
          "), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them";
 }
 

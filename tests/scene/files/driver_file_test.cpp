@@ -90,17 +90,21 @@ TEST(ReadDriverFile, WarnsOnceAboutEachOddity) {
 
 TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
   EXPECT_EQ(error_of(kB, Dialect::kA),
-            "f.txt:4: d = -2: dialect A (requested) needs d > 0; this file is dialect B");
+            "f.txt:4: d = -2: dialect A (requested by its letter or a year) needs d > 0; this file "
+            "is dialect B");
   EXPECT_EQ(error_of(kA, Dialect::kB),
-            "f.txt:4: d = 2: dialect B (requested) needs d < 0; this file is dialect A");
+            "f.txt:4: d = 2: dialect B (requested by its letter or a year) needs d < 0; this file "
+            "is dialect A");
   EXPECT_EQ(error_of(kA, Dialect::kC),
-            "f.txt:4: d = 2: dialect C (requested) needs a camera line instead; this file is "
+            "f.txt:4: d = 2: dialect C (requested by its letter or a year) needs a camera line "
+            "instead; this file is "
             "dialect A");
   for (const Dialect dialect : {Dialect::kA, Dialect::kB}) {
-    EXPECT_EQ(error_of(kC, dialect),
-              std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
-                  (dialect == Dialect::kA ? "A" : "B") +
-                  " (requested) has no camera line; this file is dialect C");
+    EXPECT_EQ(
+        error_of(kC, dialect),
+        std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
+            (dialect == Dialect::kA ? "A" : "B") +
+            " (requested by its letter or a year) has no camera line; this file is dialect C");
   }
 }
 

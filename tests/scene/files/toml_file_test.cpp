@@ -185,8 +185,7 @@ TEST(ReadToml, ReportsEveryValidationProblemWithItsLine) {
       "f.toml:14: sphere[0].radius = -1: is negative");
   EXPECT_EQ(error_of_toml(kRay + "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 0]\n"),
             "f.toml:6: ray[1].direction = [0, 0, 0]: is the zero vector");
-  EXPECT_EQ(error_of_toml(""),
-            "f.toml:1: scene = (empty): has neither a camera nor rays; give one of the two");
+  EXPECT_EQ(error_of_toml(""), "f.toml:1: scene = (no camera, no rays): needs one of the two");
   EXPECT_EQ(error_of_toml(std::string(kCamera) + kRay),
             "f.toml:13: scene = a camera and 1 ray: needs one of the two, not both");
 }
