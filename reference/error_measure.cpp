@@ -88,7 +88,7 @@ Measured backward_error(const scene::Ray& ray, const scene::Sphere& sphere, doub
   scene::require_valid(ray);
   scene::require_valid(sphere);
   if (!std::isfinite(parameter)) return {kInfinity};
-  // Doubles span 2098 bits, q at most 4200 and p at most 8500. With so many bits the balls are
+  // Doubles span 2098 bits, q at most 4200 and p at most 8500. With 8500 bits the balls are
   // exact, and the loop ends.
   for (int bits = 384;; bits *= 2) {
     const Enclosure s(parameter, bits);

@@ -239,7 +239,7 @@ std::vector<Defect> defects(const Scene& scene) { return defects(scene, scene.co
 std::vector<Defect> defects(const Scene& scene, const Conventions& conventions) {
   std::vector<Defect> found = defects(conventions);
   if (!scene.camera && scene.rays.empty()) {
-    found.push_back({"scene", "(empty)", "has neither a camera nor rays; give one of the two"});
+    found.push_back({"scene", "(no camera, no rays)", "needs one of the two"});
   }
   if (scene.camera && !scene.rays.empty()) {
     const std::string rays = std::to_string(scene.rays.size());

@@ -17,8 +17,10 @@ namespace raycheck::tools {
 
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
-      .add_option("--method,--methods", methods,
-                  "only these methods, separated by commas, or all (default: all but reference)")
+      .add_option(
+          "--method,--methods", methods,
+          "only these methods, separated by commas, or all (default: all but reference; with "
+          "--candidate none)")
       ->delimiter(',');
 }
 
@@ -59,8 +61,8 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
   constexpr double kLeastSeconds = 1e-3, kMostSeconds = 86400;
   CLI::Option* const candidate =
       command.add_option("--candidate", arguments.candidates,
-                         "the code to judge instead of raycheck's methods: library:PATH.so, "
-                         "source:PATH or command:'WORDS' (check and properties: also "
+                         "your code to judge: library:PATH.so, source:PATH or command:'WORDS' "
+                         "(check and properties: also "
                          "renderer:'WORDS'); may be repeated");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
   command
@@ -106,7 +108,7 @@ void add_judged(CLI::App& command, ExternalArguments& arguments) {
       ->needs(candidate);
   command
       .add_option("--t-threshold", arguments.threshold,
-                  "excuse wrong pixels of a renderer whose exact parameter is at most this")
+                  "excuse a renderer's wrong pixels if the exact s is at most this")
       ->check(kBound)
       ->needs(candidate)
       ->capture_default_str();

@@ -36,7 +36,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
 /// The commands, in the order of --help: NAME is that of tools/ROOM/NAME_command.cpp, where add_NAME
 /// gives it its options, PROGRAM is the raycheck-PROGRAM that has it.
 #define RAYCHECK_COMMANDS(ROW) \
-  ROW(check, check, "Judge methods on every pixel of a scene")                                     \
+  ROW(check, check, "Judge methods or your code on the rays of a scene")                           \
   ROW(properties, study, "Try the laws on random cases, and shrink cases that break them")         \
   ROW(explain, study, "Derive one ray step by step, exactly and by every method")                  \
   ROW(stress, study, "Judge each stage of methods separately, on cases of growing severity")       \

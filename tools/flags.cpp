@@ -33,12 +33,12 @@ std::vector<double> parse_list(const char* option, std::string_view text, std::s
 }
 
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
-                         std::int64_t most) {
+                         std::int64_t most, std::string_view others) {
   const auto number = scene::parse_number(text);
   if (!number || !(*number >= static_cast<double>(least) && *number <= static_cast<double>(most)) ||
       *number != static_cast<double>(static_cast<std::int64_t>(*number))) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: give a whole number from {} to {}", option, text, least, most));
+    throw std::invalid_argument(fmt::format("{} {}: give {}a whole number from {} to {}", option,
+                                            text, others, least, most));
   }
   return static_cast<std::int64_t>(*number);
 }

@@ -24,9 +24,9 @@ std::vector<double> parse_list(const char* option, std::string_view text, std::s
                                const char* meaning);
 /// Doubles represent every whole number up to here.
 inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
-/// A whole number in this range; the error names the option.
+/// A whole number in this range; the error names the option, and `others`: what else is accepted.
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
-                         std::int64_t most = kMostIndex);
+                         std::int64_t most = kMostIndex, std::string_view others = "");
 /// A pixel of a scene's camera, "I,J"; the error also names the scene's file.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);

@@ -219,7 +219,7 @@ class Page:
         self.breaks = {level: broken_at(self.ordinary if level == "ordinary" else self.extreme, level)
                        for level in LEVELS}
         self.frontiers = {source: frontier(self.extreme, source) for source in FRONTIERS}
-        least, most = (float(decimal(x)) for x in self.ordinary[0]["lengths"])
+        self.judged = least, most = [float(decimal(x)) for x in self.ordinary[0]["lengths"]]
         self.lengths = f"lengths from {power_of_two(least)} to {power_of_two(most)}" if least > 2**-959 or most < 2**1023 else ""
         refuted = engine.get("refuted", [])
         self.mistake = mistake_of(self.ordinary, refuted) or mistake_of(self.extreme, refuted)
@@ -247,6 +247,7 @@ class Page:
             case = {"law": campaign["sentence"], "scene": campaign["scene"].strip(), "first": campaign["discrepancies"][0],
                     "level": part["level"], "source": part["source"].split("@")[0] + severity}
             if numbers:
+                case["numbers"] = numbers
                 ray = ",".join(repr(numbers[k]) for k in ("ox", "oy", "oz", "dx", "dy", "dz"))
                 sphere = ",".join(repr(numbers[k]) for k in ("cx", "cy", "cz", "r"))
                 case["exact"] = raycheck.json("explain", f"--ray={ray}", f"--sphere={sphere}")["exact"]
@@ -264,6 +265,8 @@ class Page:
         held, (_, reading) = self.frontiers[source], FRONTIERS[source]
         if held is None:
             return "-"
+        if source == "scale" and 0 < held < 1000 and self.judged[0] > 2.0**-held:
+            reading = "2^{} (no smaller lengths are judged)"
         return "none" if held < 0 else "1" if held == 0 else "all" if math.isinf(held) else reading.format(held)
 
     def row(self):
@@ -301,10 +304,11 @@ class Page:
         engine = self.engine
         lines = [f"# {engine['library']}: `{engine['function']}`", "",
                  self.origin() + (f" Judged on {self.lengths}." if self.lengths else ""), "",
-                 "The wrong answers, by level; each line has only the cases of that level (scaling and axes have no section below):", ""]
+                 "The wrong answers, by level; each line has only the cases of that level ([scaling and axes](../laws.md) have no section below):", ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
         lines += ["", "The hardest severity up to which class, root, s and Q are right:", ""]
-        lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in FRONTIERS.items()]
+        texts = {source: self.frontier_text(source) for source in FRONTIERS}
+        lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source]}" for source, (title, _) in FRONTIERS.items()]
         if self.mistake:
             lines += ["", f"The mistake that explains most wrong answers: {self.mistake}."]
         if self.others:
@@ -320,16 +324,22 @@ class Page:
                       "```toml", case["scene"], "```", "", answer_text(case, self.class_alone)]
             if case.get("reproduction"):
                 kind, program, prints = case["reproduction"]
-                lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", printed_text(prints), "", "```text", prints, "```"]
+                lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", printed_text(prints, case["first"], case["numbers"]), "", "```text", prints, "```"]
                 if case["right"]:
                     lines += ["", f"The right result is: {case['right']}."]
         return "\n".join(lines) + "\n"
 
 
-def printed_text(prints):
-    """The line above the output of a reproduction."""
-    is_number = len(prints.split()) == 1 and prints not in ("miss", "hit")
-    return "It prints s, or a distance (s times the length of the direction):" if is_number else "It prints:"
+def printed_text(prints, first, numbers):
+    """The line above the output of a reproduction. A single number is s, or the distance, whichever is nearer to the answer."""
+    if len(prints.split()) != 1 or prints in ("miss", "hit") or not first["got"]:
+        return "It prints:"
+    length, got = math.hypot(*(numbers[k] for k in ("dx", "dy", "dz"))), [float(decimal(x)) for x in first["got"]]
+    clearly = 1
+    if first["symbol"] == "Q":
+        got, clearly = [math.dist(got, [numbers[k] for k in ("ox", "oy", "oz")]) / length], 1000
+    off = [abs(abs(float(prints)) - abs(value)) for value in (got[0], got[0] * length)]
+    return "It prints the distance (s times the length of the direction):" if clearly * off[1] < off[0] else "It prints s:"
 
 
 def answer_text(case, class_alone):
@@ -344,6 +354,8 @@ def answer_text(case, class_alone):
         off = {"sphere residual": "the sphere", "ray residual": "the ray"}[first["quantity"]]
         return f"Its answer is {of}{got}, which is off {off} by {first['error']:.3g} {first['unit']}."
     answers = "a hit" if got and class_alone else of + got if got else "a miss"
+    if got and not right and first["symbol"] == "s" and not class_alone:
+        answers = "a hit at " + answers
     exactly = "a hit" if right and class_alone else of + right if right else "a miss"
     form = exact.get("closed_form") if first["exact"] == [exact.get("s")] and not class_alone else None
     return f"Its answer is {answers}. The exact answer is {exactly}" + (f", which is {form}." if form else ".")

@@ -13,9 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-/// (2 w + v).v plus the rests of the coarse squares of w, minus that of the radius r.
-/// Error: at most kRobustLow u V r if, for each coordinate, |w_i| <= 1.01 r and |v_i| <= V, where V
-/// < 2^-17 r, and each rest is at most 5.1u r^2 < 0.32 V r.
+/// (2 w + v).v + the sum of square_rests - radius_rest. Each w_i^2, and r^2, is the sum of a coarse
+/// part (coarse() in error_free.h), which is not used here, and a rest. Error: at most
+/// kRobustLow u V r if, for each coordinate, |w_i| <= 1.01 r and |v_i| <= V, where V < 2^-17 r, and
+/// each rest is at most 5.1u r^2 < 0.32 V r.
 template <class N>
 HWY_INLINE N low_of_residual(const Triple<N>& w, const Triple<N>& v, const Triple<N>& square_rests,
                              const N& radius_rest) {

@@ -37,7 +37,7 @@ RAYCHECK_ONE_BY_BEST(Cross)
 /// disc = |d|^2 r^2 - |T x d|^2 with Kahan's products; roots by q.
 const IntersectMethod kCross = {
     .name = "cross",
-    .sentence = "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
+    .sentence = "disc = a r^2 - |T x D|^2 with Kahan's products, roots by q",
     RAYCHECK_FUNCTIONS_BY_BEST(Cross),
     .max_ulp = 88,
     .max_point_ulp = 104,

@@ -62,7 +62,7 @@ RAYCHECK_ONE_BY_BEST(Cross2)
 /// `cross` with T as exact pairs and c = |T|^2 - r^2 as a compensated sum.
 const IntersectMethod kCross2 = {
     .name = "cross2",
-    .sentence = "cross, with C - o as an exact pair and a compensated c",
+    .sentence = "cross, with C - L as an exact pair and a compensated c",
     RAYCHECK_FUNCTIONS_BY_BEST(Cross2),
     .max_ulp = 88,
     .max_point_ulp = 104,

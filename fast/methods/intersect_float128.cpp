@@ -19,10 +19,10 @@ Float128 scene::square_root(const Float128& x) {
 
 namespace fast {
 
-/// The formula of `double-double` in 113 bits, by software. Domain: kWideDomain.
+/// The formula of `double-double` with 113-bit significands, by software. Domain: kWideDomain.
 const IntersectMethod kFloat128 = {
     .name = "float128",
-    .sentence = "disc = a r^2 - |T x d|^2 and roots by q, in 113 bits (software)",
+    .sentence = "disc = a r^2 - |T x D|^2 and roots by q, with 113-bit significands (software)",
     RAYCHECK_FUNCTIONS_RAY_BY_RAY(Lagrange<Float128>),
     .max_ulp = 1,
     .max_point_ulp = 1.5,

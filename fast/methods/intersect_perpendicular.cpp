@@ -34,7 +34,7 @@ RAYCHECK_INTERSECT_BY(Perpendicular)
 /// disc from |T - (T.D) D|^2, which does not cancel; roots by q.
 const IntersectMethod kPerpendicular = {
     .name = "perpendicular",
-    .sentence = "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
+    .sentence = "disc = a (r^2 - |T - (b/a) D|^2), roots by q",
     RAYCHECK_FUNCTIONS(Perpendicular),
     .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::Perpendicular>,
     .max_ulp = 96,

@@ -12,7 +12,8 @@
    of `width` and row j of `height`. A ray starts at `origin`; its parameter is a multiple of
    `direction`. All lengths are scene lengths.
 
-   Functions are called from one thread at a time, in a separate process. */
+   Functions are called from one thread at a time, in a separate process (except when `tradeoff
+   --sandbox none` times them). */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -53,7 +54,7 @@ typedef struct raycheck_sphere {
 
 typedef struct raycheck_hit {
   int32_t hit;           /* 0: a miss; the other members are ignored */
-  double parameter;      /* s >= 0 */
+  double parameter;      /* s, or what `returns` declares */
   raycheck_vector point; /* origin + s direction */
 } raycheck_hit;
 
@@ -131,7 +132,7 @@ enum {
 
 typedef struct raycheck_candidate {
   uint32_t version; /* RAYCHECK_CANDIDATE_VERSION */
-  const char* name; /* of letters, digits and -_. ; may be null */
+  const char* name; /* of letters, digits, '-', '_' and '.'; may be null */
   raycheck_conventions declared;
 
   /* The camera's axes. */
@@ -155,7 +156,7 @@ typedef struct raycheck_candidate {
 
   /* From version 2 on. */
   int32_t level;
-  /* Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds. */
+  /* Scenes with a nonzero length outside these bounds are not judged; both 0: 2^-960 and inf. */
   double smallest_length, largest_length;
 
   /* From version 3 on. */

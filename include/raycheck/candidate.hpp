@@ -42,7 +42,7 @@ struct Functions {
   std::optional<std::size_t> (*nearest)(const Ray&, const std::vector<Sphere>&,
                                         const Conventions&) = nullptr;
   Level level = Level::unstated;
-  /// Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds.
+  /// Scenes with a nonzero length outside these bounds are not judged; both 0: 2^-960 and inf.
   double smallest_length = 0, largest_length = 0;
   /// single: all inputs are floats, passed as doubles; errors are counted in u and ulp of float.
   Precision precision = Precision::double_;

@@ -35,7 +35,7 @@ struct Candidate {
   Conventions declares;
   /// The difficulty of the cases that it must get right; unstated: ordinary.
   Level level = Level::unstated;
-  /// Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds.
+  /// Scenes with a nonzero length outside these bounds are not judged; both 0: 2^-960 and inf.
   double smallest_length = 0, largest_length = 0;
   /// single: cases are rounded to floats, passed as doubles; errors and bounds are counted in u and
   /// ulp of float.
@@ -86,8 +86,8 @@ struct Check {
 /// The number of cases, their seed, and the errors that are allowed.
 struct JudgeOptions {
   /// For each level up to the candidate's, this number is divided evenly among the sources, and
-  /// within a source among its severities up to that level. A severity gets the largest of these
-  /// shares, so that more cases than this may run.
+  /// within a source among its severities up to that level. A severity belongs to its own level and
+  /// all harder ones, and gets the largest of its shares in these, so that more cases may run.
   int cases = 500;
   std::uint64_t seed = 1;  ///< The same seed gives the same cases.
   /// A bound on errors that replaces those of direct/cross, in each quantity's own unit.

@@ -36,7 +36,7 @@ struct Pixel {
   std::int64_t i = 0, j = 0;  ///< Domain: 0 <= i < width, 0 <= j < height.
 };
 
-/// The points origin + s direction, s >= 0. The direction need not be unit.
+/// The points origin + s direction, s >= 0 (lines: every s). The direction need not be unit.
 struct Ray {
   Vector origin, direction;  ///< Domain: the direction is not 0.
 };

@@ -87,7 +87,7 @@ struct Arb {
 
 const fast::IntersectMethod kArb = {
     .name = "arb-128",
-    .sentence = "a r^2 - |T x d|^2 and its roots in Arb's balls of 128 bits, by their midpoints",
+    .sentence = "a r^2 - |T x D|^2 and its roots in Arb's balls of 128 bits, by their midpoints",
     .intersect = fast::intersect_ray_by_ray<Arb>,
     .intersect_one = fast::intersect_one_ray<Arb>,
     .max_ulp = kCorrectlyRoundedUlp + kLostByArb,

@@ -36,7 +36,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
     if (met.is_unjudged[k]) continue;
     const scene::Pixel& pixel = trial.pixels()[k];
     const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
-                        trial.exact_nearest()[k], "sphere shown"};
+                        trial.exact_nearest()[k], "in the picture"};
     unidentified += choice.got == kSomeSphere && choice.exact ? 1 : 0;
     judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
   }

@@ -46,7 +46,7 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     Choice choice{k, trial.nearest()[k], exact};
     if (is_right(choice)) {
       choice.got = reversed_got;
-      choice.what = "sphere index, spheres in reverse order";
+      choice.what = "with the spheres in reverse order (numbered as in the scene)";
     }
     judge_choice(trial, verdict, choice, met.expected(k),
                  [&] { return excuse(trial, k, choice.got, trial.excused_change()); });

@@ -356,8 +356,8 @@ constexpr Law kPixelPlaneLawTable[] = {
               Per::kScene, judge_pixel_zero_zero),
     of_points("density", "pixel density does not change the field of view", Per::kRay,
               judge_density),
-    of_points("square-pixels", "the spacings of columns and rows have the exact ratio", Per::kScene,
-              judge_square_pixels),
+    of_points("square-pixels", "the ratio of the spacings of columns and rows is the exact one",
+              Per::kScene, judge_square_pixels),
 };
 
 }  // namespace

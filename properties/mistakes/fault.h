@@ -16,8 +16,8 @@ using Fault = std::vector<const Mistake*>;
 /// Their sentences joined: "rows are upside down; and top is -bottom".
 std::string sentence_of(const Fault& fault);
 
-/// The possible mistakes at a place of a fault. If the alternatives are all combinations of one
-/// mistake from each place: all mistakes at that place. Otherwise the one of the first alternative.
+/// The possible mistakes at a place of a fault: of "(A, or: B); and (C, or: D)" (see sentence_of())
+/// A and B at place 0. If the alternatives are not all combinations, the first alternative's only.
 std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fault>& alternatives);
 
 /// The sentence of alternatives: "rows are upside down, or: V has the wrong sign". If they are all

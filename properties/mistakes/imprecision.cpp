@@ -97,14 +97,15 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
 std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
   if (arithmetic == Arithmetic::kSingle) return "computed in single precision";
   if (arithmetic == Arithmetic::kExpanded) {
-    return "far from the world's origin |C - L|^2 loses its digits, because larger squares are "
+    return "|C - L|^2 loses its digits far from the world's origin, because larger squares are "
            "subtracted; (C - L) . (C - L) keeps them";
   }
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
-         "d^2 loses its digits (here " +
+         "d^2 loses its digits (" +
          (radii < 10 ? "near tangents"
-                     : "more than 10^" + std::to_string(power_of_ten(radii)) + " radii away") +
+                     : "in the cases examined from 10^" + std::to_string(power_of_ten(radii)) +
+                           " radii on") +
          "), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them";
 }
 

@@ -55,7 +55,7 @@ bool has_fractions(const Scene& s) {
 struct Shape {
   const char* where;
   bool (*is)(const Scene&);
-  bool is_part = false;  ///< A special case of the last shape above that is no part.
+  bool is_part = false;  ///< A special case of the last shape above that is not a part of it.
 };
 
 bool is_uneven_across(const Scene& s) { return s.camera->left != -s.camera->right; }

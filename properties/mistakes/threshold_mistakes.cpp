@@ -1,6 +1,6 @@
 // Wrong comparisons with a number: with an epsilon that is too large instead of zero, or with a
-// largest s. Of a group, the first that makes the same answers is named. It drops the fewest
-// answers: the actual number may be more extreme.
+// largest s. Of a group, the first mistake whose answers equal the candidate's is named. It
+// drops the fewest answers: the actual number may be more extreme.
 
 #include <array>
 #include <cmath>

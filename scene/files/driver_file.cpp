@@ -213,7 +213,7 @@ class DriverReader {
     if (whole && d > 0) located_.fail(entry.line, "d", value, "dialect C needs d < 0");
     const Dialect decided = whole ? Dialect::kC : d > 0 ? Dialect::kA : Dialect::kB;
     if (!asked || *asked == decided) return decided;
-    const std::string named = called(*asked) + " (requested) ";
+    const std::string named = called(*asked) + " (requested by its letter or a year) ";
     if (whole) {
       located_.fail(entry.line, "camera", entry.joined(),
                     named + "has no camera line; this file is dialect C");

@@ -18,8 +18,8 @@ struct PlanTerms {
   bool far_root_may_count;
   double width, height;
   Bounds near, across, along;  ///< The image plane.
-  Bounds start;                ///< Where rays start, along W or -W, the way they go.
-  Bounds ahead;                ///< Where the image plane is, the same way; scaled like near().
+  Bounds start;                ///< Where rays start, measured along W, or -W if they go so.
+  Bounds ahead;                ///< Where the image plane is, measured as `start`; scaled as near().
 };
 
 /// The plans of several spheres, lane by lane.

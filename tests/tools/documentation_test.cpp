@@ -86,8 +86,8 @@ std::string without_times(std::string line) {
        "T ms to plan, T ms for the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
       {std::regex(" +- +- +-  "), "  -  -  -  "},                        // one that is not timed
-      {std::regex(" +ms with +ms without"), " ms with  ms without"},     // above them
-      {std::regex(R"( +[0-9.]+ s(?=  ))"), " T s"},                      // of a dry run
+      {std::regex(" +ms if skipped +ms if done"), " ms if skipped  ms if done"},  // above them
+      {std::regex(R"( +[0-9.]+ s(?=  ))"), " T s"},                               // of a dry run
       {std::regex("isolated by: .*$"), "isolated"},
       {std::regex(R"(built in [0-9.]+ s(, [0-9]+ from the store)?, judged in [0-9.]+ s)"),
        "built and judged in T s"},

@@ -118,7 +118,7 @@ done'
             "rm build/release/raycheck-check.built: CMake\n:: nothing\n");
 }
 
-TEST(RunScript, rejects_older_packages_that_hold_less) {
+TEST(RunScript, rejects_versions_that_are_too_old) {
   if (!is_installed("dpkg")) GTEST_SKIP() << "packages are of another kind here";
   const Outcome result = run_without_apt(
       "unset RAYCHECK_PACKAGES\nmore=dpkg\n"

@@ -34,7 +34,9 @@ int run_check(CheckArguments& arguments) {
   options.dialect = parse_dialect(arguments.judged.dialect);
   options.implementations = arguments.all ? built_in(all_pairs()) : find_judged(arguments.judged);
   if (options.implementations.empty()) options.implementations = {built_in(kDefaultMethods)};
-  if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
+  if (arguments.pixels != "all") {
+    options.pixels = parse_index("--pixels", arguments.pixels, 1, kMostIndex, "all, or ");
+  }
   std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
@@ -66,9 +68,9 @@ CommandRun add_check(CLI::App& command) {
       .add_option("SCENE", arguments.options.path, "a TOML scene, or a driver file of the course")
       ->required();
   command.add_option("--dialect", judged.dialect,
-                     "the format of driver files: A, B or C; for renderers also 2017 to 2020, auto "
-                     "(what the renderer reads), or a form such as B:17:no-light (default: the "
-                     "scene's own, else B)");
+                     "the format of driver files: A, B or C, the year of a course (2017 to 2020), "
+                     "auto (what the renderer reads), or a form such as B:17:no-light (default: "
+                     "the scene's own, else B)");
   CLI::Option* const rays =
       command.add_option("--rays", judged.rays, "the method that makes rays (default: direct)");
   CLI::Option* const intersect =

@@ -245,7 +245,7 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
                                 report.rays_judged));
   }
   if (report.scene.camera && report.scene.camera->far) {
-    lines.emplace_back("camera.far: no quantity depends on it");
+    lines.emplace_back("the scene's camera.far: no quantity depends on it");
   }
   lines.emplace_back("laws that compare several answers, which `raycheck properties` tries");
   /// The laws left out for one reason, for all candidates or for one, in order.
@@ -284,7 +284,10 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   for (const CandidateReport& candidate : report.candidates) {
     failures += candidate.verdict.tally(Quantity::kRefusal).cases;
   }
-  const bool is_judged = failures == 0 || report.compared() > failures;
+  const bool is_asked = std::ranges::any_of(report.candidates, [](const CandidateReport& one) {
+    return one.not_asked.empty() && one.inside_domain;
+  });
+  const bool is_judged = is_asked && (failures == 0 || report.compared() > failures);
   text += fmt::format("{} of {} judged\n", is_judged ? report.rays_judged : 0,
                       count_text(report.rays_in_scene, "ray"));
   for (const CandidateReport& candidate : report.candidates) {

@@ -171,8 +171,10 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
       "each step: its exact value in closed form, the same correctly rounded, and each method's "
       "value\n";
   if (report.sphere && report.pixel) {
-    text += fmt::format("(v, d^2, s and Q are computed and judged on the ray that `{}` makes)\n",
-                        report.rays_method);
+    text += fmt::format(
+        "(the methods compute v, d^2, s and Q on the ray that `{}` makes, and are judged by the "
+        "exact values for this ray)\n",
+        report.rays_method);
     const MethodReport& last = report.methods.back();
     if (last.is_other && last.intersects) {
       text += fmt::format(

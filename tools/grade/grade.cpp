@@ -360,8 +360,11 @@ std::string try_text(const StudentGrade& shown, const std::string& out) {
     text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
   }
   if (!out.empty()) {
-    text += fmt::format("\nwrote {}/report.html, and the smallest failing cases beside it\n",
-                        (fs::path(out) / shown.submission.name).string());
+    const bool has_cases = std::ranges::any_of(
+        shown.submission.items, [](const ItemGrade& item) { return item.failing.has_value(); });
+    text +=
+        fmt::format("\nwrote {}/report.html{}\n", (fs::path(out) / shown.submission.name).string(),
+                    has_cases ? ", and the smallest failing cases beside it" : "");
   }
   return text;
 }

@@ -158,9 +158,15 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
   for (const std::string& name : names) {
     if (std::ranges::none_of(
             all, [&](const Implementation& method) { return is_called(method, name); })) {
+      const auto names_that_offer = [&](Stage stage) {
+        std::vector<Implementation> offering = all;
+        std::erase_if(offering, [&](const Implementation& one) { return !one.offers(stage); });
+        return scene::joined(offering, ", ", &Implementation::name);
+      };
       throw scene::InvalidInput(
           "method", name,
-          "no such method; the methods are " + scene::joined(all, ", ", &Implementation::name));
+          "no such method; for rays: " + names_that_offer(Stage::kRays) +
+              "; for intersections: " + names_that_offer(Stage::kIntersection));
     }
   }
   std::erase_if(all, [&](const Implementation& method) {

@@ -34,10 +34,11 @@ std::vector<std::size_t> which(const scene::ScenePlan& plan, const Condition& ha
   return indices;
 }
 
-ItemReport left_out(const scene::ScenePlan& plan, scene::LeftOut how, const char* why) {
+ItemReport left_out(const scene::ScenePlan& plan, scene::LeftOut how, const char* why,
+                    const char* why_none) {
   const auto found = which(plan, [how](const SpherePlan& s) { return s.left_out == how; });
   return {found.size(), plan.spheres.size(), "spheres",
-          found.empty() ? "no such sphere" : spheres_text(found) + ": " + why};
+          found.empty() ? why_none : spheres_text(found) + ": " + why};
 }
 
 ItemReport far_root(const scene::ScenePlan& plan, std::size_t asked) {
@@ -93,13 +94,16 @@ std::vector<ItemReport> items_of(const scene::Scene& scene, const scene::ScenePl
   }
   ItemReport hidden =
       left_out(plan, scene::LeftOut::kHidden,
-               "every ray that meets it meets another sphere first or at the same point");
+               "every ray that meets it meets another sphere first or at the same point",
+               "no sphere is hidden by others");
   if (plan.wanted != scene::Wanted::kNearest) {
     hidden.why = "applies only if the nearest sphere is wanted and nothing else";
   }
   const bool is_aligned = plan.eye.axis_aligned();
-  return {left_out(plan, scene::LeftOut::kOutsideView, "no ray of the image meets it"),
-          left_out(plan, scene::LeftOut::kBehind, "entirely behind where rays start"),
+  return {left_out(plan, scene::LeftOut::kOutsideView, "no ray of the image meets it",
+                   "no sphere is outside the view"),
+          left_out(plan, scene::LeftOut::kBehind, "entirely behind where rays start",
+                   "no sphere is entirely behind where rays start"),
           std::move(hidden),
           {all - pairs, all, "pairs", "proved bounds of the spheres' outlines in the image"},
           {pairs - std::min<std::uint64_t>(pairs, asked), pairs, "pairs",

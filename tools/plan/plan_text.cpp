@@ -26,7 +26,7 @@ std::string left_out_text(const ItemReport& item) {
 }
 
 std::string items_table(const PlanReport& report) {
-  Table table({"item", "skipped", ">ms with", ">ms without", ">saves", "why"});
+  Table table({"item", "skipped", ">ms if skipped", ">ms if done", ">saves", "why"});
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
     const ItemReport& item = report.items[k];
     const bool is_estimate = kPlanItems[k].member == &scene::PlanItems::filter && item.time;

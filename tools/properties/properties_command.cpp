@@ -104,9 +104,9 @@ CommandRun add_properties(CLI::App& command) {
       ->type_name("TIME")
       ->excludes(replay, command.get_option("--cases"), command.get_option("--out"));
   add_named(command, "--target", options.target, properties::kClimbNames,
-            "after the random cases, hill-climb from the worst of them to maximise each law's "
-            "error, the error divided by the factor by which its bound grows with the condition "
-            "number, or the stability ratio rho")
+            "after the random cases, hill-climb from the worst of them to maximise a value of each "
+            "law; error: its error; bound: the error divided by the factor by which its bound "
+            "grows with the condition number; rho: the stability ratio")
       ->excludes(replay);
   command
       .add_option("--corpus", options.corpus,
@@ -116,8 +116,8 @@ CommandRun add_properties(CLI::App& command) {
       ->excludes(replay);
   command
       .add_option("--keep-going", options.keep_going,
-                  "do not stop at a law's first failure: shrink up to this number of failures that "
-                  "differ in source or kind")
+                  "shrink up to this number of a law's failures that differ in source or kind, not "
+                  "only the first")
       ->check(whole_number(1, 1000))
       ->type_name("N");
   add_strict(command, options.strict);

@@ -60,11 +60,12 @@ std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool
 
 /// "the far root is taken (root: wrong root, ordinary cases)"
 std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
-  const std::string shown = scene::joined(
-      defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place + " cases"; });
-  const std::string_view why = campaign.explanations.empty()
-                                   ? campaign.law->sentence
-                                   : std::string_view(campaign.explanations.front().sentence);
+  const std::string shown = scene::joined(defects, "; ", [](const Identity& one) {
+    return (one.kind == "refusal: failed" ? "no answer" : one.kind) + ", " + one.place + " cases";
+  });
+  const std::string why = campaign.explanations.empty()
+                              ? fmt::format("breaks the law: {}", campaign.law->sentence)
+                              : campaign.explanations.front().sentence;
   return fmt::format("{} ({})", why, shown);
 }
 
@@ -165,7 +166,7 @@ Gate properties_gate(const PropertiesReport& report) {
   gate.command = "properties";
   gate.about =
       report.seed
-          ? fmt::format("{} for each law and candidate, seed {}",
+          ? fmt::format("laws on sources, {} for each law and candidate, seed {}",
                         count_text(static_cast<std::uint64_t>(report.cases), "case"), *report.seed)
           : "replay of one case";
   gate.ratchet = report.ratchet;

@@ -28,7 +28,7 @@ using properties::Finding;
 using properties::Level;
 using properties::Standing;
 
-/// "rays, all of up, distance@3..7, tangency@6,9..12": a range is a run of severities that were
+/// "rays, up@all, distance@3..7, tangency@6,9..12": a range is a run of severities that were
 /// judged one after the other.
 std::string broken_text(const CampaignResult& result) {
   std::string text;
@@ -45,8 +45,8 @@ std::string broken_text(const CampaignResult& result) {
       runs += fmt::format("{}{}", runs.empty() ? "@" : ",", *parts[first].source.severity);
       if (k > first) runs += fmt::format("..{}", *parts[k].source.severity);
     }
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", is_all ? "all of " : "",
-                        parts[0].source.source->name, runs);
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", parts[0].source.source->name,
+                        is_all ? "@all" : runs);
   }
   return text;
 }
@@ -72,7 +72,8 @@ std::string finding_text(const CampaignReport& campaign, bool colours) {
   return std::string(name(campaign.finding));
 }
 
-/// "1000 cases, 1712 comparisons, 3 excused; 12 cases left out, last reason: no ray hits a sphere"
+/// "1000 cases, 1712 comparisons, 3 excused; of the cases: 12 left out, last reason: no ray hits a
+/// sphere"
 std::string counts_text(const CampaignResult& result) {
   const properties::CaseCounts& counts = result.counts;
   std::string text =
@@ -82,20 +83,18 @@ std::string counts_text(const CampaignResult& result) {
     const std::uint64_t count = result.verdict.count(standing);
     if (count > 0) text += fmt::format(", {} {}", count, name(standing));
   }
-  const auto cases = [](std::int64_t count) {
-    return count_text(static_cast<std::uint64_t>(count), "case");
-  };
+  std::string parts;
   if (counts.given_rays > 0) {
-    text += fmt::format("; {} with rays made by raycheck", cases(counts.given_rays));
+    parts += fmt::format("; {} with rays made by raycheck", counts.given_rays);
   }
   if (counts.not_judged > 0) {
-    text += fmt::format("; {} outside its domain, not judged", cases(counts.not_judged));
+    parts += fmt::format("; {} outside its domain, not judged", counts.not_judged);
   }
   if (counts.left_out > 0) {
-    text += fmt::format("; {} left out, {}reason: {}", cases(counts.left_out),
-                        counts.left_out == 1 ? "" : "last ", counts.reason);
+    parts += fmt::format("; {} left out, {}reason: {}", counts.left_out,
+                         counts.left_out == 1 ? "" : "last ", counts.reason);
   }
-  return text;
+  return parts.empty() ? text : text + "; of the cases: " + parts.substr(2);
 }
 
 std::string campaign_text(const CampaignReport& campaign, bool colours) {

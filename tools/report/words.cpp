@@ -112,9 +112,12 @@ std::string not_needed_text(const std::vector<std::string>& not_needed) {
 
 std::string wrong_share_text(std::uint64_t explained, std::uint64_t errors,
                              std::string_view answers) {
-  if (errors == 1) return fmt::format("the one wrong {}", answers.substr(0, answers.size() - 1));
-  return explained == errors ? fmt::format("all {} wrong {}", errors, answers)
-                             : fmt::format("{} of {} wrong {}", explained, errors, answers);
+  if (errors == 1) {
+    return fmt::format("the only wrong {} examined", answers.substr(0, answers.size() - 1));
+  }
+  return explained == errors
+             ? fmt::format("all {} wrong {} examined", errors, answers)
+             : fmt::format("{} of {} wrong {} examined", explained, errors, answers);
 }
 
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
@@ -220,7 +223,7 @@ std::string excuse_text(const Discrepancy& d) {
       return fmt::format("ill-conditioned: the condition number {} allows this error",
                          error_text(excuse.amount));
     case ExcuseKind::kOutsideDomain:
-      return "the scene lies outside the candidate's domain";
+      return "a length of the scene lies outside the judged domain";
     default:
       return {};
   }
@@ -280,7 +283,10 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
     if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
       // Related answers are compared with each other, unless `what` names two.
       const bool is_related = d.quantity == properties::Quantity::kInvariance && !d.symbol.empty();
-      text += fmt::format("  {} {}\n", is_related ? "expected" : "exact", exact_text(d));
+      const char* const label = d.law == "growing-radius" ? "got before"
+                                : is_related              ? "expected"
+                                                          : "exact";
+      text += fmt::format("  {} {}\n", label, exact_text(d));
     }
   }
   if (d.excluded_by) {

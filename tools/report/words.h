@@ -62,10 +62,11 @@ std::string input_name(const properties::Discrepancy& discrepancy, std::size_t i
 std::string standings_text(
     const std::function<std::uint64_t(properties::Standing standing)>& count);
 
-/// "all 90 wrong pixels" or "11 of 12 wrong answers"; `answers` is a noun in the plural.
+/// "all 90 wrong pixels examined" or "11 of 12 wrong answers examined"; `answers` is a noun in the
+/// plural.
 std::string wrong_share_text(std::uint64_t explained, std::uint64_t errors,
                              std::string_view answers);
-/// "rows are upside down; this explains all 90 wrong pixels"
+/// "rows are upside down; this explains all 90 wrong pixels examined"
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
                            std::string_view answers);
 

@@ -132,15 +132,13 @@ std::size_t count_curves(const StressReport& report) {
 
 std::string explanation() {
   return fmt::format(
-      "A number is the first severity at which the method is not stable: it decides wrongly, and "
-      "no\n"
-      "relative change of the inputs by {:g} u would make the decision right; or a stability "
-      "ratio\n"
-      "rho = error / ((1 + kappa) u) is above {:g}. u is the unit roundoff of the method's "
-      "precision, "
-      "kappa\nthe condition number. \"stable\": it is stable at all severities. \"-\": no case "
-      "lies in "
-      "the method's\ndomain. More cases may find an earlier severity.\n",
+      "A number is the first severity at which the method is not stable: an answer fails; or it\n"
+      "decides wrongly, and no relative change of the inputs by {:g} u would make the decision "
+      "right;\nor a stability ratio rho = error / ((1 + kappa) u) is above {:g}. u is the unit "
+      "roundoff of the\nmethod's precision, kappa the condition number. \"stable\": it is stable "
+      "at "
+      "all severities. \"-\": no\ncase lies in the method's domain. More cases may find an earlier "
+      "severity.\n",
       properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
 }
 
@@ -165,6 +163,17 @@ std::string rendered(const StressReport& report, Markup markup) {
   if (curves <= kMostSummed) text += summary_table(report).section("by method", markup);
   if (curves <= kMostDetailed) text += detail_table(report).section("by severity", markup);
   text += "\n";
+  if (curves <= kMostSummed) {
+    text += fmt::format(
+        "{}slope: the power of 10^severity (or 2^severity) with which the error grows\n", item);
+  }
+  if (curves <= kMostDetailed) {
+    text += fmt::format(
+        "{0}decisions: the judged hits, misses and choices of a root; answers: the measured "
+        "numbers\n"
+        "{0}backward u: the largest backward error, in u\n",
+        item);
+  }
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
       const std::string where = fmt::format("{}{} on {} ({})", item, curve.candidate.name,

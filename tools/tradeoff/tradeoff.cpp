@@ -207,7 +207,8 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
     const std::vector<Case> asked = asked_of(timed, stage);
     if (asked.empty()) {
       costs.clear();
-      report.left_out.push_back(fmt::format("{}: no case asks for them", name(stage)));
+      report.left_out.push_back(fmt::format("{}: no case asks for this",
+                                            stage == Stage::kRays ? "making rays" : name(stage)));
       continue;
     }
     if (stage == Stage::kRays) {
@@ -227,7 +228,7 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
     report.left_out.push_back(fmt::format(
-        "{} of {} rays: only {} were selected; more cases select more",
+        "{} of {} rays: only {} were selected; a larger --cases selects more",
         cases.rays_in_scene() - cases.rays_judged(), cases.rays_in_scene(), cases.rays_judged()));
   }
   const auto rays = [&](std::uint64_t chunks) {

@@ -36,7 +36,7 @@ struct Timed {
   std::size_t items = 0;
 };
 
-/// So many inputs that no branch predictor learns them, but few enough to stay in the cache.
+/// Enough inputs that no branch predictor learns them, but few enough to stay in the cache.
 constexpr std::size_t kItems = 4096;
 constexpr std::size_t kBatches = 8;
 constexpr int kRepetitions = 21;

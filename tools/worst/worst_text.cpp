@@ -32,8 +32,8 @@ std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/
   const std::string others = isolation_text({report.candidate}) + failures_text(report);
   if (!report.worst) {
     return others + fmt::format(
-                        "{} on {}: nothing was measured: no answer in its stated domain could be "
-                        "compared\n",
+                        "{} on {}: nothing was measured: each case lies outside the judged domain, "
+                        "or its answer failed, is a wrong decision, or is not finite\n",
                         report.candidate.name, report.source().name());
   }
   const properties::WorstCase& worst = *report.worst;
@@ -41,6 +41,7 @@ std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/
   constexpr std::array<std::string_view, 3> kMeasures = {"error", "error / growth of the bound",
                                                          "stability ratio rho"};
   text += fmt::format(
+      "only errors of right decisions are measured; `raycheck properties` also judges decisions\n"
       "rho = error / ((1 + condition number) u); at most {:g} is stable\n"
       "largest {}: {} among random cases, {} after climbing; {} in the shrunk case below\n",
       properties::kStableRatio, kMeasures[static_cast<std::size_t>(report.search.climb)],

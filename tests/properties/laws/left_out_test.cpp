@@ -50,7 +50,7 @@ TEST(LeftOut, OfARendererAreAllLawsButThoseOfPictures) {
   for (const Law& law : laws()) {
     if (law.name == "image" || law.name == "refusal") continue;
     EXPECT_EQ(reason_for(law.name, two_spheres_ahead(), draws),
-              "a renderer is judged only by its pictures")
+              "applies to functions; the law image judges a renderer's pictures")
         << law.name;
   }
   EXPECT_EQ(reason_for("image", two_spheres_ahead(), draws), "");

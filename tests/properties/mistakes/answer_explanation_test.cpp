@@ -571,17 +571,17 @@ TEST(AnswerExplanation, OfLostDigitsNamesTheTermAndTheDistance) {
     EXPECT_TRUE(sentences.front().starts_with(said)) << sentences.front();
   };
   expect([](auto&, auto&, auto& T, double v, double r) { return r * r - (dot(T, T) - v * v); },
-         "d^2 loses its digits (here more than 10^");
+         "d^2 loses its digits (in the cases examined from 10^");
   // (r + l)(r - l)
   expect(
       [](auto&, auto&, auto& T, double v, double r) {
         const double l = std::sqrt(dot(T, T) - v * v);
         return (r + l) * (r - l);
       },
-      "d^2 loses its digits (here more than 10^");
+      "d^2 loses its digits (in the cases examined from 10^");
   expect([](auto& L, auto& C, auto&, double v,
             double r) { return r * r - (dot(C, C) - 2 * dot(L, C) + dot(L, L) - v * v); },
-         "far from the world's origin |C - L|^2 loses its digits");
+         "|C - L|^2 loses its digits far from the world's origin");
   Candidate in_floats = fast_candidate(fast::kDirectRays, fast::kCross);
   in_floats.precision = scene::Precision::kSingle;
   answer_by(in_floats, hits_by({.roots = roots_of([](auto& L, auto& C, auto&, double v, double r) {

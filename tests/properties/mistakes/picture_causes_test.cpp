@@ -317,7 +317,7 @@ TEST(PictureCausesOfTwoMistakes, NameTheTiesOfBoth) {
   EXPECT_EQ(
       sentences_for(pictures),
       Sentences{"(left and right are both negated, or: U has the wrong sign); and (s >= 0 is not "
-                "tested: spheres behind the origin are hit, or: the smallest s wins, though "
+                "tested: spheres behind the origin are hit, or: the smallest s wins, even if "
                 "it is negative)"});
 }
 
@@ -418,14 +418,14 @@ std::vector<ShownPicture> shown_by(const fast::PixelRayMethod& rays,
   return pictures;
 }
 
-constexpr const char* kDifference = "d^2 loses its digits (here more than 10^";
+constexpr const char* kDifference = "d^2 loses its digits (in the cases examined from 10^";
 
 TEST(PictureCauses, NameTheFormulaWithTheFewestRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   for (const auto* intersect : {&fast::kLecture, &fast::kQuadratic}) {
     EXPECT_EQ(sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
-              Sentences{kDifference + std::string("8 radii away), because larger numbers are "
+              Sentences{kDifference + std::string("8 radii on), because larger numbers are "
                                                   "subtracted; r^2 - |T x D|^2 keeps them")})
         << intersect->name;
   }
@@ -461,9 +461,8 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeNameBoth) {
   pictures.push_back(shown_by(fast::kDirectRays, fast::kLecture, {far_scene(2e8)}).front());
   EXPECT_EQ(
       sentences_for(pictures),
-      Sentences{
-          std::string("top is -bottom; and ") + kDifference +
-          "8 radii away), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them"});
+      Sentences{std::string("top is -bottom; and ") + kDifference +
+                "8 radii on), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them"});
 }
 
 /// Every pixel is in doubt.

@@ -90,17 +90,21 @@ TEST(ReadDriverFile, WarnsOnceAboutEachOddity) {
 
 TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
   EXPECT_EQ(error_of(kB, Dialect::kA),
-            "f.txt:4: d = -2: dialect A (requested) needs d > 0; this file is dialect B");
+            "f.txt:4: d = -2: dialect A (requested by its letter or a year) needs d > 0; this file "
+            "is dialect B");
   EXPECT_EQ(error_of(kA, Dialect::kB),
-            "f.txt:4: d = 2: dialect B (requested) needs d < 0; this file is dialect A");
+            "f.txt:4: d = 2: dialect B (requested by its letter or a year) needs d < 0; this file "
+            "is dialect A");
   EXPECT_EQ(error_of(kA, Dialect::kC),
-            "f.txt:4: d = 2: dialect C (requested) needs a camera line instead; this file is "
+            "f.txt:4: d = 2: dialect C (requested by its letter or a year) needs a camera line "
+            "instead; this file is "
             "dialect A");
   for (const Dialect dialect : {Dialect::kA, Dialect::kB}) {
-    EXPECT_EQ(error_of(kC, dialect),
-              std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
-                  (dialect == Dialect::kA ? "A" : "B") +
-                  " (requested) has no camera line; this file is dialect C");
+    EXPECT_EQ(
+        error_of(kC, dialect),
+        std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
+            (dialect == Dialect::kA ? "A" : "B") +
+            " (requested by its letter or a year) has no camera line; this file is dialect C");
   }
 }
 
@@ -181,7 +185,7 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "f.txt:3: camera.look_at = [0, 0, 4]: is the same point as eye\n"
             "f.txt:7: camera.width = 0: is below 1 pixel\n"
             "f.txt:7: camera.height = 1: is too few; samples = edges "
-            "needs 2 or more\n"
+            "divides by this number less 1: give 2 or more\n"
             "f.txt:1: sphere[0].radius = -1: is negative\n"
             "f.txt:8: sphere[1].centre = [0, 0, inf]: is not finite");
   EXPECT_EQ(error_of(replaced(kC, "0 1 0", "0 0 5")),

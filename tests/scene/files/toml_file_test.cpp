@@ -180,13 +180,12 @@ TEST(ReadToml, ReportsEveryValidationProblemWithItsLine) {
       "f.toml:9: camera.top = inf: is not finite\n"
       "f.toml:11: camera.height = 0: is below 1 pixel\n"
       "f.toml:10: camera.width = 1: is too few; samples = edges "
-      "needs 2 or more\n"
+      "divides by this number less 1: give 2 or more\n"
       "f.toml:13: sphere[0].centre = [0, 0, nan]: is not finite\n"
       "f.toml:14: sphere[0].radius = -1: is negative");
   EXPECT_EQ(error_of_toml(kRay + "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 0]\n"),
             "f.toml:6: ray[1].direction = [0, 0, 0]: is the zero vector");
-  EXPECT_EQ(error_of_toml(""),
-            "f.toml:1: scene = (empty): has neither a camera nor rays; give one of the two");
+  EXPECT_EQ(error_of_toml(""), "f.toml:1: scene = (no camera, no rays): needs one of the two");
   EXPECT_EQ(error_of_toml(std::string(kCamera) + kRay),
             "f.toml:13: scene = a camera and 1 ray: needs one of the two, not both");
 }

@@ -43,7 +43,7 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
   expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
   expect_said("no-picture", "it exited with 0, but did not write its picture, image.ppm");
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
-  expect_said("half", "its PPM lacks a number, or ends too early");
+  expect_said("half", "its PPM has a word that is not a number, or ends too early");
   expect_said("crash", "exited with 1");
   expect_said("hang", "did not end, and used almost no CPU time for 1 s");
   expect_said("link", "its picture image.ppm is not a file");
@@ -52,7 +52,7 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
   expect_parts(none.out,
                {"0 of 1040 rays judged\n", "; no single question that fails was found\n",
                 "no answer: image: it exited with 0, but did not write its picture, image.ppm",
-                ": a renderer is judged only by its pictures\n"});
+                ": applies to functions; the law image judges a renderer's pictures\n"});
 }
 
 TEST(Renderer, whose_format_cannot_express_a_scene_is_not_judged_on_it) {
@@ -92,7 +92,8 @@ TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_all_sources_and_explained)
   EXPECT_GE(campaign["explanations"][0]["wrong"], 3);
   const Outcome words = tried(built, "--source course --image-change 1e-5");
   EXPECT_EQ(words.exit_code, 1);
-  expect_parts(words.out, {"columns are mirrored: ", "{image}' --image-change 1e-05 --replay '"});
+  expect_parts(words.out, {"columns are mirrored; this explains all ",
+                           "{image}' --image-change 1e-05 --replay '"});
 }
 
 /// Each of two threads takes half of 128 cases; its first run waits until both have started.

@@ -46,7 +46,7 @@ TEST(Baseline, SurvivesWritingAndReading) {
 TEST(Baseline, ErrorsNameTheLine) {
   const std::string fields = "a; b; c; d; ", no_byte = ": expected % and two hexadecimal";
   for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
-           {"# raycheck baseline 2\nclass; rays\n", "line 2: 2 fields"},
+           {"# raycheck baseline 2\nclass; rays\n", "line 2: it is not of the form"},
            {fields + "\n", "line 1: field 5 is empty"},
            {fields + "%4\n", "line 1: '%4'" + no_byte},
            {fields + "%\n", "line 1: '%'" + no_byte},

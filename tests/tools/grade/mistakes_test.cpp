@@ -77,7 +77,7 @@ const std::vector<Mistake> kOfPictures = {
     {"upside_down", 105, "pixel (0, 0)", "rows are upside down", 2},
     {"mirrored", 103, "pixel (0, 0), robustness", "columns are mirrored", 3},
     {"cancelling", 108, "robustness",
-     "d^2 loses its digits (here more than 10^8 radii away), because larger numbers are "
+     "d^2 loses its digits (in the cases examined from 10^8 radii on), because larger numbers are "
      "subtracted; "
      "r^2 - |T x D|^2 keeps them",
      1},

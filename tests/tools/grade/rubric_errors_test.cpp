@@ -33,7 +33,8 @@ const std::vector<Wrong> kWrong = {
     {kTitle, "seconds = 0", "1: seconds = 0: must be above 0"},
     {kTitle, "seconds = 1e9", "1: seconds = 1e9: must be above 0, and at most"},
     {kTitle, "driver = { preset = \"D\" }",
-     "1: driver.preset = \"D\": must be one of A, B, C, 2017, 2018, 2019, 2020, auto"},
+     "1: driver.preset = \"D\": must be one of A, B, C, 2017, 2018, 2019, 2020, auto, "
+     "or a form such as B:17:no-light"},
     {kTitle, "tolerance = { ulp = 1, conditioning = 1 }",
      "1: tolerance = (a table): has both ulp and conditioning; give one"},
     {kTitle, "tolerance = { ulp = -1 }", "1: tolerance.ulp = -1: must be 0 or"},

@@ -161,7 +161,7 @@ TEST(PropertiesCommand, accepts_a_time_and_reports_the_number_of_cases) {
 TEST(PropertiesCommand, exits_with_4_when_nothing_or_too_little_was_judged) {
   for (const auto& [asked, why] :
        {std::pair("pixel-point --rays focal --cases 5", ""),
-        {"class --source rays --cases 6 --intersect cross", "fewer than 10 answers are right"},
+        {"class --source rays --cases 6 --intersect cross", "fewer than 10 of the rays that hit"},
         {"parameter --source scale@600 --intersect cross", "not judged here"}}) {
     const Outcome outcome = run("properties --filter " + std::string(asked), 4);
     EXPECT_TRUE(has(outcome.out, why));

@@ -11,11 +11,11 @@ constexpr double kBeyondAnyBound = std::numeric_limits<double>::infinity();
 
 TEST(Words, OfAnExplanationCountTheAnswersThatItExplains) {
   EXPECT_EQ(explained_text("rows are upside down", 90, 90, "pixels"),
-            "rows are upside down; this explains all 90 wrong pixels");
+            "rows are upside down; this explains all 90 wrong pixels examined");
   EXPECT_EQ(explained_text("T = L - C", 11, 12, "answers"),
-            "T = L - C; this explains 11 of 12 wrong answers");
+            "T = L - C; this explains 11 of 12 wrong answers examined");
   EXPECT_EQ(explained_text("T = L - C", 1, 1, "answers"),
-            "T = L - C; this explains the one wrong answer");
+            "T = L - C; this explains the only wrong answer examined");
 }
 
 TEST(Words, OfAFailureSayThatThereIsNoAnswer) {

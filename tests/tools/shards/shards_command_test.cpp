@@ -364,7 +364,7 @@ TEST(Shards, are_set_by_schedulers) {
       {"--format has no effect here: give it to raycheck merge"});
   // Without --out the variables are ignored.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
-  EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
+  EXPECT_TRUE(has(run(kAsked, 0).out, "laws: 0 broken, 1 holds"));
 }
 
 TEST(Shards, refuse_invalid_numbers) {

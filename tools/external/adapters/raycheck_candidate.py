@@ -123,7 +123,14 @@ def _answer(functions, returns, request):
                 if returns == "class" and hit is not None:
                     hit = _truth(hit)
                 if hit is not None and hit is not False:
-                    lines.append(f"{r} {s} {_line(*_hit(hit, returns))}")
+                    try:
+                        line = _line(*_hit(hit, returns))
+                    except TypeError:
+                        line = ""
+                    if len(line.split()) != 4:
+                        wanted = "(s, point)" if returns == "hit" else f"the {returns}"
+                        raise TypeError(f"intersect returned {hit!r}; return {wanted}, or None")
+                    lines.append(f"{r} {s} {line}")
         return lines
     if name == "nearest":
         found = (function(ray, request["spheres"], asked) for ray in request["rays"])

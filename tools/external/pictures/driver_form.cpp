@@ -183,7 +183,8 @@ DriverRule driver_rule(std::string_view name) {
   if (name == kAuto) return {};
   if (name.find(':') != std::string_view::npos) return {driver_form(name), false, true};
   if (const auto form = driver_preset(name)) return {*form, false, true};
-  throw std::invalid_argument(fmt::format("must be one of {}, {}", preset_names(), kAuto));
+  throw std::invalid_argument(
+      fmt::format("must be one of {}, {}, or a form such as B:17:no-light", preset_names(), kAuto));
 }
 
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from) {

@@ -152,9 +152,9 @@ class DryRunner {
     return rule_.tries_others ? best_of_all(std::move(first)) : first;
   }
 
-  /// If a form is certainly read, the fullest similar form that is read, too, or the form itself.
-  /// (A program may not initialise values that it does not find.) Empty if the form is not
-  /// certainly read, or if repeated pictures differ.
+  /// Given a form that is certainly read: returns the fullest similar form that is also read, else
+  /// that form. (A program may not initialise values that it does not find.) Empty if the form is
+  /// not certainly read, or if repeated pictures differ.
   std::optional<Attempt> steady(const Attempt& read) {
     if (!read.is_sure()) return {};
     if (rule_.tries_others && !(rule_.is_asked_for && read.form == rule_.form)) {
@@ -196,7 +196,7 @@ class DryRunner {
     return best;
   }
 
-  /// The form that is read if the rule allows only another one, which is not.
+  /// If the rule allows only one form, and the program does not read it: a form that it reads.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
     if (rule_.tries_others || chosen.reads() || chosen.progress == Progress::kTimeUp) {
       return {};

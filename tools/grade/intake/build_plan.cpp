@@ -272,7 +272,9 @@ BuildPlan build_plan(const HandedInFiles& files) {
   if (!foreign.empty()) {
     plan.why_none = foreign + ", and there are no sources to build it from";
   } else if (std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); })) {
-    plan.why_none = "none of its source files has a main function";
+    plan.why_none =
+        "none of its source files has a main function; a renderer needs one, and functions for "
+        "raycheck must be in the file that the rubric names, such as rays.cpp";
   } else {
     plan.why_none =
         "there is nothing to build or run: no Makefile, no CMakeLists.txt, no sources in C, C++, "

@@ -155,7 +155,9 @@ ItemReason why_unanswered(const Law& law, Trial& trial) {
       needs_any(law.needs, Needs::kIntersect) || (needs_any(law.needs, Needs::kRays) && !law.stage);
   if (is_of_class || !compares_hits) return lacks_functions ? reason : ItemReason{};
   if (!has_hits(trial) || !(lacks_functions || misses_hits(trial))) return {};
-  if (!lacks_functions) reason.said = "a hit that is missed or has the wrong root is not compared";
+  if (!lacks_functions) {
+    reason.said = "some hits are missed or have the wrong root, and were not compared";
+  }
   return reason;
 }
 

@@ -68,7 +68,7 @@ std::string reason_text(const ItemReason& reason);
 /// function.
 std::string hint_text(const Item& item, const ItemGrade& grade);
 
-/// "the far root is taken for the near one; this explains all 12 wrong answers"
+/// "the far root is taken for the near one; this explains all 12 wrong answers examined"
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake);
 
 /// The mistake that explains most items; empty if no mistake is known.

@@ -258,7 +258,7 @@ struct MistakeStatistics {
 /// The statistics of each mistake, that of the most students first.
 std::vector<MistakeStatistics> mistake_statistics(std::span<const SubmissionGrade> graded);
 
-/// Who hides items that students may not see, or may not see yet.
+/// The system that hides items which students may not see, now or ever.
 enum class HiddenBy {
   kUs,          ///< raycheck: only visible items are included.
   kOtherSystem  ///< The course's system: all items are included, hidden ones without failing cases.

@@ -83,7 +83,7 @@ std::string copy_rubric(const std::string& name, const std::string& out) {
   // A user's own changes are not overwritten.
   for (const auto& [file, source] : files) {
     if (fs::exists(fs::path(out) / file)) {
-      throw scene::InvalidInput("out", out, file + " exists already");
+      throw scene::InvalidInput("out", out, file + " already exists there; give another folder");
     }
   }
   for (const auto& [file, source] : files) {
