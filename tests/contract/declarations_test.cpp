@@ -51,7 +51,7 @@ TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expect
         {"samplez edges",
          "'samplez', not one of rows, samples, origin, root, tangent, roots, level, "
          "lengths, precision, directions, rays, spheres, pixels, made_directions, "
-                          "returns, t_min, t_max, interval, t_unit, culling"}}) {
+         "returns, t_min, t_max, interval, t_unit, culling"}}) {
     EXPECT_TRUE(has(thrown_by<std::invalid_argument>([&] { declared(contract); }), why));
   }
   for (const auto& [contract, field] : {std::pair("lengths 2 1", "lengths"),

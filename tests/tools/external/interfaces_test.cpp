@@ -58,7 +58,8 @@ TEST(Interfaces, that_are_not_declared_are_named) {
     const Outcome outcome = judged_by(called, limits ? "t_max 1" : "",
                                       "--filter " + called.law + (limits ? " --source rays" : ""));
     EXPECT_EQ(outcome.exit_code, 1) << called.name;
-    expect_parts(outcome.out, {"right under " + called.says + ", which the candidate does not declare"});
+    expect_parts(outcome.out,
+                 {"right under " + called.says + ", which the candidate does not declare"});
   }
 }
 
@@ -72,7 +73,8 @@ TEST(Interfaces, that_are_not_followed_are_broken) {
     plain.name = std::string("plain-") + law;
     const Outcome outcome = judged_by(plain, contract, std::string("--filter ") + law);
     EXPECT_EQ(outcome.exit_code, 1) << contract;
-    expect_parts(outcome.out, {std::string("right under ") + says + ", which the candidate does not declare"});
+    expect_parts(outcome.out,
+                 {std::string("right under ") + says + ", which the candidate does not declare"});
   }
 }
 
