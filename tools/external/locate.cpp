@@ -144,8 +144,8 @@ void let_read(const fs::path& path, Confined& program) {
   }
 }
 
-/// A Java class path (files or folders separated by colons), made absolute. Empty if the word is not
-/// a class path.
+/// A Java class path (files or folders separated by colons), made absolute. Empty if the word is
+/// not a class path.
 std::string class_path(const std::string& word, const RunOptions& options, ReadableCopies& copies,
                        Confined& program) {
   if (word.find(':') == std::string::npos) return "";
