@@ -92,10 +92,10 @@ def laws_part(known):
     dials = [source for source in known["sources"] if source["dial"]]
     lines = [f"`properties` tries {len(known['laws'])} laws on random cases of "
              f"{len(known['sources'])} sources. {len(dials)} of these are stress",
-             "sources, which have severities from 0 (ordinary) up: far, grazing, tangent to the last bit, on",
-             "the surface, at the ends of the double range. `--source distance@9` selects one severity. For a",
-             "broken law, `properties` prints the smallest case found, as a scene that `check` accepts, and a",
-             "string that replays it.", "", "| law | what must hold |", "|---|---|"]
+             "sources, which have severities from 0 (ordinary) up. They make spheres far, rays grazing or tangent",
+             "to the last bit, origins on the surface, and numbers at the ends of the double range.",
+             "`--source distance@9` selects one severity. For a broken law, `properties` prints the smallest case",
+             "found, as a scene that `check` accepts, and a string that replays it.", "", "| law | what must hold |", "|---|---|"]
     lines += [f"| `{law['name']}` | {law['sentence']} |" for law in known["laws"]]
     return "\n".join(lines)
 
