@@ -1,8 +1,8 @@
 #pragma once
 
-// Between raycheck's structs and those of its public headers, in C (<raycheck/candidate.h>) and in
-// C++ (<raycheck/scene.h>): their members have the same names, their enumerators the same numbers,
-// after AS_ASKED (0) for what a candidate may leave to the scene.
+// Converts between raycheck's structs and those of its public headers, in C (<raycheck/candidate.h>)
+// and in C++ (<raycheck/scene.h>). Members have the same names. Enumerators have the same numbers, or
+// numbers that are larger by one if 0 is AS_ASKED.
 
 #include <cstdint>
 #include <optional>

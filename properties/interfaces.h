@@ -15,7 +15,7 @@ scene::Ray passed(const scene::Ray& ray, const contract::Interface& interface);
 scene::Sphere passed(const scene::Sphere& sphere, const contract::Interface& interface);
 scene::Pixel passed(const scene::Pixel& pixel, const contract::Interface& interface);
 
-/// A ray that it makes, with a direction made unit if that may have any length.
+/// A ray that the candidate makes; its direction is normalised if the interface allows any length.
 scene::Ray made(const scene::Ray& ray, const contract::Interface& interface);
 
 /// A hit with the values that the candidate does not return: s is the distance over the direction's

@@ -39,7 +39,7 @@ void require_valid(const Conventions& conventions);
 
 bool is_valid(const Camera& camera, const Conventions& conventions);
 std::invalid_argument refusal(const Camera& camera, const Conventions& conventions);
-/// Inline, since an exception takes time for every function that it leaves.
+/// Inline, so that a thrown exception has one function fewer to unwind.
 inline void require_valid(const Camera& camera, const Conventions& conventions) {
   if (!is_valid(camera, conventions)) throw refusal(camera, conventions);
 }

@@ -28,10 +28,10 @@ struct SandboxArguments {
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments);
 Sandbox sandbox_of(const SandboxArguments& arguments);
 
-/// The values of --candidate, --sandbox, --timeout and --bounds; the last three need the first.
+/// The values of --candidate and of the options that need it.
 struct ExternalArguments {
   std::vector<std::string> candidates;
-  std::vector<std::string> reads, includes;  ///< Folders that they may read; with headers.
+  std::vector<std::string> reads, includes;  ///< Folders to read; folders of headers.
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
   std::uint64_t memory_mib = Limits{}.memory >> 20;

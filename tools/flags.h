@@ -30,9 +30,9 @@ std::int64_t parse_index(const char* option, std::string_view text, std::int64_t
 /// A pixel of a scene's camera, "I,J"; the error also names the scene's file.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
-/// The dialect of a driver file to be read, from --dialect; empty if the text is.
+/// The dialect of a driver file to be read, from --dialect; empty for an empty text.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
-/// The form of driver files for renderers, or that each form is tried; empty if the text is.
+/// The driver form from --dialect, or the rule `auto` (each form is tried); empty for an empty text.
 std::optional<DriverRule> parse_driver(const std::string& text);
 void add_dialect(CLI::App& command, std::string& dialect);
 /// --dialect, which replaces a rubric's [driver].
@@ -46,8 +46,8 @@ CLI::Validator number_between(double least, double most);
 extern const CLI::Validator kBound;
 /// Rejects an empty value: used for every option.
 extern const CLI::Validator kGiven;
-/// An option that takes one of these names, those of an enumeration in its order; one that is
-/// optional has no default.
+/// An option that takes one of `names`, which are the enumeration's, in its order. A std::optional
+/// value has no default.
 template <class Value, std::size_t N>
 CLI::Option* add_named(CLI::App& command, const std::string& option, Value& value,
                        const std::array<std::string_view, N>& names, const std::string& meaning) {
@@ -83,7 +83,7 @@ properties::ChosenSource parse_source(std::string_view option, const std::string
 
 /// --format, one of these names; the first by default.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
-/// The same for views, or other named values.
+/// The names of a table of views or of other named values, for add_format().
 template <class Named>
 std::vector<std::string> names_of(const Named& all) {
   std::vector<std::string> names;

@@ -63,8 +63,8 @@ typedef struct raycheck_hit {
 enum { RAYCHECK_AS_ASKED = 0 };
 enum { RAYCHECK_ROWS_BOTTOM_FIRST = 1, RAYCHECK_ROWS_TOP_FIRST = 2 }; /* which row is j = 0 */
 enum { RAYCHECK_SAMPLES_EDGES = 1, RAYCHECK_SAMPLES_CENTRES = 2 };    /* i/(w-1), (i+1/2)/w */
-enum { RAYCHECK_ORIGIN_PIXEL = 1, RAYCHECK_ORIGIN_FOCAL = 2 };        /* rays start at P, E */
-enum { RAYCHECK_ROOT_NEAREST = 1, RAYCHECK_ROOT_SMALLER = 2 };        /* smallest s >= 0, or v-d */
+enum { RAYCHECK_ORIGIN_PIXEL = 1, RAYCHECK_ORIGIN_FOCAL = 2 };        /* start: pixel's P, eye E */
+enum { RAYCHECK_ROOT_NEAREST = 1, RAYCHECK_ROOT_SMALLER = 2 };        /* s >= 0, or smaller root */
 enum { RAYCHECK_TANGENT_HIT = 1, RAYCHECK_TANGENT_MISS = 2, RAYCHECK_TANGENT_EITHER = 3 };
 
 typedef struct raycheck_conventions {
@@ -98,7 +98,8 @@ typedef struct raycheck_valid_roots {
   int32_t ends, unit, culling;
 } raycheck_valid_roots;
 
-/* The conventions as a candidate of version 3 or later receives them. */
+/* From version 3 on, the conventions that a function receives are the first member of this struct;
+   raycheck_valid_roots_of() returns the other member. */
 typedef struct raycheck_asked {
   raycheck_conventions conventions;
   raycheck_valid_roots valid;

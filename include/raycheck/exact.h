@@ -11,7 +11,7 @@
 //
 // Domain: finite numbers, and what the structs of scene.h require; otherwise functions throw
 //         std::invalid_argument naming the field.
-// Errors: none. Decisions are exact, rounded values correctly rounded; enclosures hold the value.
+// Accuracy: decisions are exact, rounded values are correctly rounded, enclosures hold the value.
 // Thread safety: const members of one object may be called from several threads.
 
 #include <raycheck/api.h>

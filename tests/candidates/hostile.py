@@ -1,4 +1,5 @@
-"""Candidates that cheat or fail, each on the first intersect request: hostile.py HOW [FILE]."""
+"""Candidates that cheat or fail: hostile.py HOW [FILE]. Each does so on the first intersect request,
+except `early`, which answers before it."""
 import mmap
 import os
 import pathlib
