@@ -1,8 +1,8 @@
 #pragma once
 
-// Converts between raycheck's structs and those of its public headers, in C (<raycheck/candidate.h>)
-// and in C++ (<raycheck/scene.h>). Members have the same names. Enumerators have the same numbers, or
-// numbers that are larger by one if 0 is AS_ASKED.
+// Converts between raycheck's structs and those of its public headers, in C
+// (<raycheck/candidate.h>) and in C++ (<raycheck/scene.h>). Members have the same names.
+// Enumerators have the same numbers, or numbers that are larger by one if 0 is AS_ASKED.
 
 #include <cstdint>
 #include <optional>

@@ -43,8 +43,7 @@ TOP = """# The API of libraycheck
 <!-- Written by `python3 docs/api_page.py` from the comments of include/raycheck: change those. -->
 
 [library.md](library.md) shows how to use the library. [candidates.md](candidates.md) describes `raycheck/candidate.h` and
-`candidate.hpp`, which are for code that the program
-`raycheck` judges. Everything is in the namespace `raycheck`.
+`candidate.hpp`, which are for code that the program `raycheck` judges. Everything is in the namespace `raycheck`.
 """
 
 

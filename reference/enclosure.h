@@ -59,8 +59,8 @@ class Enclosure {
   /// Doubles below and above all numbers in the ball; infinite beyond the largest double.
   double lower() const;
   double upper() const;
-  /// The doubles nearest to the ball's two ends (first rounded outward to bits() bits), ties to even. They
-  /// are equal if the ball determines the correctly rounded value.
+  /// The doubles nearest to the ball's two ends (first rounded outward to bits() bits), ties to
+  /// even. They are equal if the ball determines the correctly rounded value.
   double lower_rounded() const;
   double upper_rounded() const;
   /// Whether radius <= 2^-relative_bits |midpoint|.

@@ -32,7 +32,7 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
                          const scene::Scene& scene);
 /// The dialect of a driver file to be read, from --dialect; empty for an empty text.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
-/// The driver form from --dialect, or the rule `auto` (each form is tried); empty for an empty text.
+/// The driver form from --dialect, or the rule `auto` (each is tried); empty for an empty text.
 std::optional<DriverRule> parse_driver(const std::string& text);
 void add_dialect(CLI::App& command, std::string& dialect);
 /// --dialect, which replaces a rubric's [driver].

@@ -9,6 +9,7 @@ examples/engines (libraries) and field/npm (node).
 """
 import argparse
 import concurrent.futures
+import fractions
 import json
 import math
 import pathlib
@@ -244,7 +245,7 @@ class Page:
             numbers = scene_numbers(campaign["scene"])
             part = next(part for part in campaign["parts"] if part["replay"] == campaign["replay"])
             severity = "" if part["severity"] is None else f"@{part['severity']}"
-            case = {"law": campaign["sentence"], "scene": campaign["scene"].strip(), "first": campaign["discrepancies"][0],
+            case = {"law": campaign["sentence"], "scene": campaign["scene"].strip(), "first": campaign["discrepancies"][0], "precision": campaign["precision"],
                     "level": part["level"], "source": part["source"].split("@")[0] + severity}
             if numbers:
                 case["numbers"] = numbers
@@ -304,9 +305,9 @@ class Page:
         engine = self.engine
         lines = [f"# {engine['library']}: `{engine['function']}`", "",
                  self.origin() + (f" Judged on {self.lengths}." if self.lengths else ""), "",
-                 "The wrong answers, by level; each line has only the cases of that level ([scaling and axes](../laws.md) have no section below):", ""]
+                 "The wrong answers, by level; each line has only the cases of that level (the laws [scaling and axes](../laws.md) are listed, but not illustrated below):", ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
-        lines += ["", "The hardest severity up to which class, root, s and Q are right:", ""]
+        lines += ["", "The hardest severity up to which class, root, s and Q are right (for *grazing*, the distance of rays from tangency):", ""]
         texts = {source: self.frontier_text(source) for source in FRONTIERS}
         lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source]}" for source, (title, _) in FRONTIERS.items()]
         if self.mistake:
@@ -358,7 +359,11 @@ def answer_text(case, class_alone):
         answers = "a hit at " + answers
     exactly = "a hit" if right and class_alone else of + right if right else "a miss"
     form = exact.get("closed_form") if first["exact"] == [exact.get("s")] and not class_alone else None
-    return f"Its answer is {answers}. The exact answer is {exactly}" + (f", which is {form}." if form else ".")
+    if not right or class_alone or form and "sqrt" not in form and fractions.Fraction(form) == decimal(first["exact"][0]):
+        return f"Its answer is {answers}. The exact answer is {exactly}."
+    rounded = {"single": "float", "double": "double"}[case["precision"]]
+    return (f"Its answer is {answers}. The exact answer, rounded to {rounded}, is {exactly}"
+            + (f"; without rounding it is {form}." if form else "."))
 
 
 def decimal(number):

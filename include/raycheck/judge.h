@@ -87,7 +87,8 @@ struct Check {
 struct JudgeOptions {
   /// For each level up to the candidate's, this number is divided evenly among the sources, and
   /// within a source among its severities up to that level. A severity belongs to its own level and
-  /// all harder ones, and gets the largest of its shares in these; the total may therefore exceed `cases`.
+  /// all harder ones, and gets the largest of its shares in these; the total may therefore exceed
+  /// `cases`.
   int cases = 500;
   std::uint64_t seed = 1;  ///< The same seed gives the same cases.
   /// A bound on errors that replaces those of direct/cross, in each quantity's own unit.
@@ -136,8 +137,8 @@ struct Verdict {
 
 /// Judges a candidate by a law on random cases of a source: "distance", or "distance@3" with a
 /// severity. If `source` is empty, the cases come from every source of the candidate's level. The
-/// same arguments give the same verdict. The error bounds are those of direct/cross, unless options.max_error is
-/// set.
+/// same arguments give the same verdict. The error bounds are those of direct/cross, unless
+/// options.max_error is set.
 /// Errors: std::invalid_argument naming an unknown law or source.
 [[nodiscard]] RAYCHECK_API Verdict judge(const Candidate& candidate, const std::string& law,
                                          const std::string& source = "",

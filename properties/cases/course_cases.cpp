@@ -17,7 +17,7 @@ using scene::Vector3;
 
 constexpr double kGrain = 0.25;        ///< Coordinates are multiples of it, radii of its half.
 constexpr double kFineGrain = 0x1p-6;  ///< Grain and gap in front of the image plane.
-constexpr double kGap = 0.0625;        ///< The least distance of spheres from planes that they avoid.
+constexpr double kGap = 0.0625;        ///< How far spheres stay from planes that they avoid.
 
 double quarters(Random& random, std::int64_t low, std::int64_t high) {
   return kGrain * static_cast<double>(random.integer(low, high));
