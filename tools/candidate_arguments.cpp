@@ -19,8 +19,8 @@ void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
       .add_option(
           "--method,--methods", methods,
-          "only these methods, separated by commas, or all (default: all but reference; with "
-          "--candidate none)")
+          "only these methods, separated by commas, or all (default: all but reference; none if "
+          "--candidate is given)")
       ->delimiter(',');
 }
 

@@ -132,7 +132,8 @@ std::size_t count_curves(const StressReport& report) {
 
 std::string explanation() {
   return fmt::format(
-      "A number is the first severity at which the method is not stable: an answer fails; or it\n"
+      "A number is the first severity at which the method is not stable: it gives no answer; or "
+      "it\n"
       "decides wrongly, and no relative change of the inputs by {:g} u would make the decision "
       "right;\nor a stability ratio rho = error / ((1 + kappa) u) is above {:g}. u is the unit "
       "roundoff of the\nmethod's precision, kappa the condition number. \"stable\": it is stable "

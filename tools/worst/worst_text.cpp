@@ -43,7 +43,9 @@ std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/
   text += fmt::format(
       "only errors of right decisions are measured; `raycheck properties` also judges decisions\n"
       "rho = error / ((1 + condition number) u); at most {:g} is stable\n"
-      "largest {}: {} among random cases, {} after climbing; {} in the shrunk case below\n",
+      "largest {}: {} among random cases, {} after climbing from the worst of them; the case below "
+      "is "
+      "simplified and has {}\n",
       properties::kStableRatio, kMeasures[static_cast<std::size_t>(report.search.climb)],
       error_text(worst.height_random), error_text(worst.height_climbed), error_text(worst.height));
   text += fmt::format("  got   {}\n  exact {}\n\n", got_text(worst.shown), exact_text(worst.shown));
