@@ -304,7 +304,7 @@ class Page:
         engine = self.engine
         lines = [f"# {engine['library']}: `{engine['function']}`", "",
                  self.origin() + (f" Judged on {self.lengths}." if self.lengths else ""), "",
-                 "The wrong answers, by level; each line has only the cases of that level ([scaling and axes](../laws.md) have no section below):", ""]
+                 "The wrong answers, by level; each line has only the cases of that level ([scaling and axes](../laws.md) are listed, but not shown below):", ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
         lines += ["", "The hardest severity up to which class, root, s and Q are right:", ""]
         texts = {source: self.frontier_text(source) for source in FRONTIERS}
@@ -358,7 +358,8 @@ def answer_text(case, class_alone):
         answers = "a hit at " + answers
     exactly = "a hit" if right and class_alone else of + right if right else "a miss"
     form = exact.get("closed_form") if first["exact"] == [exact.get("s")] and not class_alone else None
-    return f"Its answer is {answers}. The exact answer is {exactly}" + (f", which is {form}." if form else ".")
+    is_rounded = right and of and not class_alone
+    return f"Its answer is {answers}. The exact answer{', rounded,' if is_rounded else ''} is {exactly}" + (f"; exactly, it is {form}." if form else ".")
 
 
 def decimal(number):

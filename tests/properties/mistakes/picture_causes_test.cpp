@@ -447,8 +447,7 @@ TEST(PictureCauses, OfFarSpheresThatAreDroppedDoNotNameRoundings) {
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   const char* const sentence =
       "hits with an s above about 1e5 (the limit may be smaller) are dropped: the largest s that "
-      "counts is too "
-      "small";
+      "counts is too small";
   EXPECT_EQ(sentences_for(shown_with({mistake(sentence)}, scenes)), Sentences{sentence});
   // One of two far spheres is missing, for an unknown reason.
   std::vector<ShownPicture> pictures = shown_with({}, scenes);

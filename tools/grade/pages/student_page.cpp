@@ -131,9 +131,12 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
 }
 
 HomeCommand command_for_all(const StudentGrade& grade) {
-  return {"To grade your submission again, run in its folder",
-          fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
-                      grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
+  return {
+      shipped_rubric(grade.rubric)
+          ? "To grade your submission again, run in its folder"
+          : "To grade your submission again, run in its folder, with " + grade.rubric + " in it",
+      fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
+                  grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
 }
 
 std::string report_page(const StudentGrade& grade) {
