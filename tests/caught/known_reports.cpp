@@ -238,11 +238,9 @@ std::span<const KnownReport> known_reports() {
        "far-hits-are-dropped",
        far_hits_are_dropped,
        {"hits with an s above about 1e8 (the limit may be smaller) are dropped: the largest s that "
-        "counts is "
-        "too small",
+        "counts is too small",
         "hits with an s above about 1e9 (the limit may be smaller) are dropped: the largest s that "
-        "counts is "
-        "too small"}},
+        "counts is too small"}},
       {"RenderKit/embree#230",
        "spheres nearer than the direction's length plus the radius are missed",
        "near-spheres-are-dropped",
@@ -259,8 +257,7 @@ std::span<const KnownReport> known_reports() {
        "epsilon",
        epsilon,
        {"where the near root is below about 0.001 (the limit may be larger) the far one is taken: "
-        "the epsilon "
-        "is too large"}},
+        "the epsilon is too large"}},
       {"snowkit/old-haxe-alpha#267",
        "spheres behind the ray are hit",
        "behind-counts",

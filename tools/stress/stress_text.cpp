@@ -133,8 +133,7 @@ std::size_t count_curves(const StressReport& report) {
 std::string explanation() {
   return fmt::format(
       "A number is the first severity at which the method is not stable: it gives no answer; or "
-      "it\n"
-      "decides wrongly, and no relative change of the inputs by {:g} u would make the decision "
+      "it\ndecides wrongly, and no relative change of the inputs by {:g} u would make the decision "
       "right;\nor a stability ratio rho = error / ((1 + kappa) u) is above {:g}. u is the unit "
       "roundoff of the\nmethod's precision, kappa the condition number; an error of k ulp counts "
       "as k u. \"stable\": it is\nstable at all severities. \"-\": no case lies in the method's "

@@ -78,8 +78,7 @@ const std::vector<Mistake> kOfPictures = {
     {"mirrored", 103, "pixel (0, 0), robustness", "columns are mirrored", 3},
     {"cancelling", 108, "robustness",
      "d^2 loses its digits (in the cases examined from 10^8 radii on), because it is the "
-     "difference of "
-     "much larger numbers; "
+     "difference of much larger numbers; "
      "r^2 - |T x D|^2 keeps them",
      1},
     {"left_and_right_negated", 103, "boundary pixels, robustness",
@@ -130,13 +129,11 @@ const std::vector<Mistake> kOfPictures = {
     {"steps_of_larger", 105, "width and height", "it fails only if the picture is not square", 2},
     {"largest_multiple", 104, "robustness",
      "hits with an s above about 1e5 (the limit may be smaller), in multiples of P - E, are "
-     "dropped: the "
-     "largest s that counts is too small",
+     "dropped: the largest s that counts is too small",
      1},
     {"largest_distance", 106, "robustness",
      "hits with an s above about 1e6 (the limit may be smaller) are dropped: the largest s that "
-     "counts is too "
-     "small",
+     "counts is too small",
      1},
 };
 
