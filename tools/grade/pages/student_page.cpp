@@ -31,7 +31,7 @@ std::string failing_html(const FailingCase& failing) {
   const WrongAnswer& answer = failing.answer;
   return pictures_html(failing) + "<dl>\n" + row("the law", law_text(failing)) +
          row("wrong answer", answer_text(answer)) + row("yours", got_text(answer)) +
-         row("exact", exact_text(answer)) + row("goes wrong at", failing.step.value_or("")) +
+         row("exact", exact_text(answer)) + row("goes wrong at", step_text(failing)) +
          row("smallest case found, from", origin_text(failing.origin)) + "</dl>\n";
 }
 
