@@ -19,8 +19,8 @@ void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
       .add_option(
           "--method,--methods", methods,
-          "only these methods, separated by commas, or all (default: all but reference; with "
-          "--candidate none)")
+          "only these methods, separated by commas, or all (default: all but reference; none if "
+          "--candidate is given)")
       ->delimiter(',');
 }
 
@@ -62,8 +62,7 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate =
       command.add_option("--candidate", arguments.candidates,
                          "your code to judge: library:PATH.so, source:PATH or command:'WORDS' "
-                         "(check and properties: also "
-                         "renderer:'WORDS'); may be repeated");
+                         "(check and properties: also renderer:'WORDS'); may be repeated");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
   command
       .add_option("--read", arguments.reads,

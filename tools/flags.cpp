@@ -162,9 +162,10 @@ void add_view(CLI::App& command, std::optional<std::string>& path, std::string_v
 
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {
   command
-      .add_option("--certificates", path,
-                  "write a proof of each discrepancy; tools/verify_certificates.py checks them "
-                  "without raycheck")
+      .add_option(
+          "--certificates", path,
+          "write proofs of the worst discrepancies; tools/verify_certificates.py checks them "
+          "without raycheck")
       ->type_name("FILE");
 }
 

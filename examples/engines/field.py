@@ -309,7 +309,8 @@ class Page:
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
         lines += ["", "The hardest severity up to which class, root, s and Q are right (for *grazing*, the distance of rays from tangency):", ""]
         texts = {source: self.frontier_text(source) for source in FRONTIERS}
-        lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source]}" for source, (title, _) in FRONTIERS.items()]
+        off = {"tangency": " r from tangency", "inside": " r from the centre"}
+        lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source].replace(' of r', off.get(source, ''))}" for source, (title, _) in FRONTIERS.items()]
         if self.mistake:
             lines += ["", f"The mistake that explains most wrong answers: {self.mistake}."]
         if self.others:

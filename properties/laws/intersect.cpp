@@ -395,7 +395,8 @@ constexpr Law kIntersectLawTable[] = {
      .tells_stability = true,
      .judge = judge_class},
     {.name = "nearest-root",
-     .sentence = "the root is the right one: no exact root lies in [0, s)",
+     .sentence =
+         "the root is the right one: the one that the conventions choose in exact arithmetic",
      .per = Per::kPair,
      .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kEither,
      .quantity = Quantity::kRoot,

@@ -106,7 +106,7 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
          (radii < 10 ? "near tangents"
                      : "in the cases examined from 10^" + std::to_string(power_of_ten(radii)) +
                            " radii on") +
-         "), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them";
+         "), because it is the difference of much larger numbers; r^2 - |T x D|^2 keeps them";
 }
 
 void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,

@@ -77,33 +77,36 @@ Roots marched_roots(double least, const Ray& ray, const Sphere& sphere) {
 }
 
 const ThresholdGroup kGroups[] = {
-    {"hits with an s below about ", " (perhaps more) are dropped: the epsilon is too large",
-     "dropped hits", kSizes,
+    {"hits with an s below about ",
+     " (the limit may be larger) are dropped: the epsilon is too large", "dropped hits", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const Hit hit = usual_choice(ray, roots, c);
        return hit && hit->parameter >= least ? hit : Hit();
      }},
     {"where the near root is below about ",
-     " (perhaps more) the far one is taken: the epsilon is too large", "far roots", kSizes,
+     " (the limit may be larger) the far one is taken: the epsilon is too large", "far roots",
+     kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const Hit hit = usual_choice(ray, roots, c);
        if (!hit || hit->parameter >= least) return hit;
        const bool takes_far = c.root != scene::Root::kSmaller && roots.larger >= least;
        return takes_far ? Hit(hit_at(ray, roots.larger)) : Hit();
      }},
-    {"a d^2 below about ", " (perhaps more) counts as a miss: the epsilon is too large",
+    {"a d^2 below about ", " (the limit may be larger) counts as a miss: the epsilon is too large",
      "dropped chords", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        return roots.half_chord_sq >= least ? usual_choice(ray, roots, c) : Hit();
      }},
     {"hits with an s above about ",
-     " (perhaps less) are dropped: the largest s that counts is too small", "far hits", kLargeSizes,
-     up_to},
+     " (the limit may be smaller) are dropped: the largest s that counts is too small", "far hits",
+     kLargeSizes, up_to},
     {"hits with an s above about ",
-     " (perhaps less), in multiples of P - E, are dropped: the largest s that counts is too small",
+     " (the limit may be smaller), in multiples of P - E, are dropped: the largest s that counts "
+     "is too small",
      "far hits", kLargeSizes, up_to, nullptr, true, true},
     {"where d^2 is below about ",
-     " (perhaps more) v is taken for both roots: the epsilon is too large", "merged roots", kSizes,
+     " (the limit may be larger) v is taken for both roots: the epsilon is too large",
+     "merged roots", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double v = roots.axial_distance;
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
@@ -111,7 +114,7 @@ const ThresholdGroup kGroups[] = {
      },
      nullptr, false},
     {"where b^2 - 4ac is within about ",
-     " (perhaps more) of 0, -b/2a is taken for both roots: the epsilon is too large",
+     " (the limit may be larger) of 0, -b/2a is taken for both roots: the epsilon is too large",
      "merged discriminants", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double size = norm(ray.direction);
@@ -125,8 +128,9 @@ const ThresholdGroup kGroups[] = {
        return usual_choice(ray, roots, c);
      },
      marched_roots, false},
-    {"a d^2 below about ", " (perhaps more) is replaced by that: the epsilon is too large",
-     "least chords", kSizes,
+    {"a d^2 below about ",
+     " (the limit may be larger) is replaced by that: the epsilon is too large", "least chords",
+     kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
        const double v = roots.axial_distance, d = std::sqrt(least), size = norm(ray.direction);
@@ -134,14 +138,15 @@ const ThresholdGroup kGroups[] = {
      },
      nullptr, false},
     {"rays that pass less than about ",
-     " radii (perhaps more) inside a sphere's outline miss it: the tolerance is too large",
+     " radii (the limit may be larger) inside a sphere's outline miss it: the tolerance is too "
+     "large",
      "shallow chords", kSizes,
      [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
        return usual_choice(ray, roots, c);
      },
      roots_of_inner, false},
     {"directions with a |D|^2 below about ",
-     " (perhaps more) hit nothing: the epsilon is too large", "short directions", kSizes,
+     " (the limit may be larger) hit nothing: the epsilon is too large", "short directions", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double length = norm(ray.direction);
        return length * length < least ? Hit() : usual_choice(ray, roots, c);
@@ -178,8 +183,8 @@ Mistake short_vectors(const char* least, bool are_zero) {
   };
   return {
       .sentence = std::string("vectors with a squared length below about ") + least +
-                  " (perhaps more) are " + (are_zero ? "taken for 0" : "not normalised") +
-                  ": the epsilon is too large",
+                  " (the limit may be larger) are " +
+                  (are_zero ? "taken for 0" : "not normalised") + ": the epsilon is too large",
       .step = Step::kFrame,
       .rays = {.frame =
                    [=](const scene::Camera& camera) {

@@ -237,10 +237,10 @@ std::span<const KnownReport> known_reports() {
        "nothing is found beyond 10^7 units",
        "far-hits-are-dropped",
        far_hits_are_dropped,
-       {"hits with an s above about 1e8 (perhaps less) are dropped: the largest s that counts is "
-        "too small",
-        "hits with an s above about 1e9 (perhaps less) are dropped: the largest s that counts is "
-        "too small"}},
+       {"hits with an s above about 1e8 (the limit may be smaller) are dropped: the largest s that "
+        "counts is too small",
+        "hits with an s above about 1e9 (the limit may be smaller) are dropped: the largest s that "
+        "counts is too small"}},
       {"RenderKit/embree#230",
        "spheres nearer than the direction's length plus the radius are missed",
        "near-spheres-are-dropped",
@@ -256,8 +256,8 @@ std::span<const KnownReport> known_reports() {
        "with t_min = 0.001 the far root is taken for a nearer one",
        "epsilon",
        epsilon,
-       {"where the near root is below about 0.001 (perhaps more) the far one is taken: the epsilon "
-        "is too large"}},
+       {"where the near root is below about 0.001 (the limit may be larger) the far one is taken: "
+        "the epsilon is too large"}},
       {"snowkit/old-haxe-alpha#267",
        "spheres behind the ray are hit",
        "behind-counts",

@@ -63,14 +63,16 @@ std::vector<Mutant> frame_mutants() {
       {"W = (E - A)/(|E - A| + 1e-6), against a division by zero",
        {"frame", "look-at"},
        with_guarded_W()},
-      from_mistake("short-is-left",
-                   "vectors with a squared length below about 1e-9 (perhaps more) are not "
-                   "normalised: the epsilon is too large",
-                   {"scaling"}),
-      from_mistake("short-is-zero",
-                   "vectors with a squared length below about 1e-9 (perhaps more) are taken for "
-                   "0: the epsilon is too large",
-                   {"scaling"}),
+      from_mistake(
+          "short-is-left",
+          "vectors with a squared length below about 1e-9 (the limit may be larger) are not "
+          "normalised: the epsilon is too large",
+          {"scaling"}),
+      from_mistake(
+          "short-is-zero",
+          "vectors with a squared length below about 1e-9 (the limit may be larger) are taken for "
+          "0: the epsilon is too large",
+          {"scaling"}),
       from_mistake("V-is-up", "V is up/|up|, not made perpendicular to W", {"frame", "up"}),
   };
 }

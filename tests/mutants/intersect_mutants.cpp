@@ -96,18 +96,21 @@ std::vector<Mutant> choice_mutants() {
                    "T . D = 0 counts as a miss: rays at right angles to T never hit spheres around "
                    "their origin",
                    {"class"}),
-      from_mistake("merged-roots",
-                   "where d^2 is below about 1e-5 (perhaps more) v is taken for both roots: the "
-                   "epsilon is too large",
-                   {"parameter", "scaling"}),
-      from_mistake("shallow-is-missed",
-                   "rays that pass less than about 1e-7 radii (perhaps more) inside a sphere's "
-                   "outline miss it: the tolerance is too large",
-                   {"class"}),
-      from_mistake("short-is-missed",
-                   "directions with a |D|^2 below about 1e-9 (perhaps more) hit nothing: the "
-                   "epsilon is too large",
-                   {"class"}),
+      from_mistake(
+          "merged-roots",
+          "where d^2 is below about 1e-5 (the limit may be larger) v is taken for both roots: the "
+          "epsilon is too large",
+          {"parameter", "scaling"}),
+      from_mistake(
+          "shallow-is-missed",
+          "rays that pass less than about 1e-7 radii (the limit may be larger) inside a sphere's "
+          "outline miss it: the tolerance is too large",
+          {"class"}),
+      from_mistake(
+          "short-is-missed",
+          "directions with a |D|^2 below about 1e-9 (the limit may be larger) hit nothing: the "
+          "epsilon is too large",
+          {"class"}),
       {"the near root counts from s = 1e-3 on",
        {"nearest-root", "scaling"},
        with_choice("epsilon-on-s",

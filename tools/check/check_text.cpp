@@ -296,7 +296,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   const std::uint64_t total = report.discrepancies();
   if (total > 0) {
     const std::vector<RankedDiscrepancy> ranked = worst_of_all(report);
-    text += fmt::format("\nworst discrepancies ({} of {}: {}):\n", ranked.size(), total,
+    text += fmt::format("\nworst discrepancies, {} of {} (in all {}):\n", ranked.size(), total,
                         standings_text([&](Standing one) { return report.count(one); }));
     for (std::size_t k = 0; k < ranked.size(); ++k) {
       text += fmt::format("{:>3}. {}\n", k + 1, ranked[k].candidate->name);

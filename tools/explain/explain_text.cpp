@@ -103,7 +103,8 @@ std::string condition_text(const Step& step) {
   if (!step.condition) return {};
   return fmt::format("condition number {}{}", error_text(step.condition),
                      step.condition_alone
-                         ? fmt::format(" (of this step only: {})", error_text(step.condition_alone))
+                         ? fmt::format(" (from the scene's numbers; of this step only: {})",
+                                       error_text(step.condition_alone))
                          : "");
 }
 

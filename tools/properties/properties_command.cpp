@@ -88,10 +88,11 @@ CommandRun add_properties(CLI::App& command) {
   command.add_option("--source", given->sources,
                      "only cases of this source, or of this severity (SOURCE@SEVERITY); may be "
                      "repeated");
-  add_named(command, "--level", options.level, properties::kLevelNames,
-            "the hardest cases that are tried: ordinary, demanding or extreme (default: the level "
-            "that the candidate declares, else ordinary for external candidates and demanding for "
-            "raycheck's methods)");
+  add_named(
+      command, "--level", options.level, properties::kLevelNames,
+      "the hardest cases that are tried: ordinary, demanding or extreme (default: the level "
+      "that the candidate declares, else ordinary for external candidates, "
+      "and demanding for raycheck's methods, or ordinary for those that do not keep all bounds)");
   // A replay string already determines law, methods and source.
   add_shards(command, given->shards);
   for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {

@@ -72,8 +72,8 @@ std::string finding_text(const CampaignReport& campaign, bool colours) {
   return std::string(name(campaign.finding));
 }
 
-/// "1000 cases, 1712 comparisons, 3 excused; of the cases: 12 left out, last reason: no ray hits a
-/// sphere"
+/// "1000 cases, 1712 comparisons, 3 excused; of the cases: 12 left out, the reason of the last:
+/// no ray hits a sphere"
 std::string counts_text(const CampaignResult& result) {
   const properties::CaseCounts& counts = result.counts;
   std::string text =
@@ -91,8 +91,8 @@ std::string counts_text(const CampaignResult& result) {
     parts += fmt::format("; {} outside its domain, not judged", counts.not_judged);
   }
   if (counts.left_out > 0) {
-    parts += fmt::format("; {} left out, {}reason: {}", counts.left_out,
-                         counts.left_out == 1 ? "" : "last ", counts.reason);
+    parts += fmt::format("; {} left out, {}: {}", counts.left_out,
+                         counts.left_out == 1 ? "reason" : "the reason of the last", counts.reason);
   }
   return parts.empty() ? text : text + "; of the cases: " + parts.substr(2);
 }

@@ -293,7 +293,8 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
     text += fmt::format("  the answer s = {} lies outside the interval {}\n",
                         scene::shortest(d.got.front()), interval_text(*d.excluded_by));
   }
-  if (d.condition) {
+  // The condition number is that of the direction, not of its length.
+  if (d.condition && d.quantity != properties::Quantity::kUnitDefect) {
     const bool is_small = *d.condition > 0 && *d.condition < kSmallestShown;
     text += is_small ? fmt::format("  condition number below {:.0e}\n", kSmallestShown)
                      : fmt::format("  condition number about {}\n", error_text(d.condition));

@@ -132,13 +132,12 @@ std::size_t count_curves(const StressReport& report) {
 
 std::string explanation() {
   return fmt::format(
-      "A number is the first severity at which the method is not stable: an answer fails; or it\n"
-      "decides wrongly, and no relative change of the inputs by {:g} u would make the decision "
+      "A number is the first severity at which the method is not stable: it gives no answer; or "
+      "it\ndecides wrongly, and no relative change of the inputs by {:g} u would make the decision "
       "right;\nor a stability ratio rho = error / ((1 + kappa) u) is above {:g}. u is the unit "
-      "roundoff of the\nmethod's precision, kappa the condition number. \"stable\": it is stable "
-      "at "
-      "all severities. \"-\": no\ncase lies in the method's domain. More cases may find an earlier "
-      "severity.\n",
+      "roundoff of the\nmethod's precision, kappa the condition number; an error of k ulp counts "
+      "as k u. \"stable\": it is\nstable at all severities. \"-\": no case lies in the method's "
+      "domain. More cases may find an earlier\nseverity.\n",
       properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
 }
 
@@ -165,7 +164,9 @@ std::string rendered(const StressReport& report, Markup markup) {
   text += "\n";
   if (curves <= kMostSummed) {
     text += fmt::format(
-        "{}slope: the power of 10^severity (or 2^severity) with which the error grows\n", item);
+        "{0}slope: the power of 10^severity (or 2^severity) with which the error grows\n"
+        "{0}missed, false: all such wrong decisions, also excused and undecided ones\n",
+        item);
   }
   if (curves <= kMostDetailed) {
     text += fmt::format(

@@ -40,10 +40,17 @@ std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/
   std::string text = others + headline(report) + "\n";
   constexpr std::array<std::string_view, 3> kMeasures = {"error", "error / growth of the bound",
                                                          "stability ratio rho"};
+  text += report.stage == properties::Stage::kRays
+              ? fmt::format(
+                    "only the {} is measured; `raycheck properties` also judges other quantities\n",
+                    info(report.search.quantity).name)
+              : "only errors of right decisions are measured; `raycheck properties` also judges "
+                "decisions\n";
   text += fmt::format(
-      "only errors of right decisions are measured; `raycheck properties` also judges decisions\n"
-      "rho = error / ((1 + condition number) u); at most {:g} is stable\n"
-      "largest {}: {} among random cases, {} after climbing; {} in the shrunk case below\n",
+      "rho = error / ((1 + condition number) u), with k u for an error of k ulp; at most {:g} is "
+      "stable\n"
+      "largest {}: {} among random cases, {} after climbing from the worst of them; the case below "
+      "is simplified and has {}\n",
       properties::kStableRatio, kMeasures[static_cast<std::size_t>(report.search.climb)],
       error_text(worst.height_random), error_text(worst.height_climbed), error_text(worst.height));
   text += fmt::format("  got   {}\n  exact {}\n\n", got_text(worst.shown), exact_text(worst.shown));

@@ -359,8 +359,9 @@ TEST(PictureCauses, OfABlackPictureAmongRightOnesMayBeAMistake) {
   std::vector<Scene> scenes = rubric_scenes();
   std::erase_if(scenes, [](const Scene& scene) { return scene.camera->near > -1e-5; });
   scenes.push_back(tiny);
-  const Fault fault = {mistake(
-      "hits with an s below about 1e-4 (perhaps more) are dropped: the epsilon is too large")};
+  const Fault fault = {
+      mistake("hits with an s below about 1e-4 (the limit may be larger) are dropped: the epsilon "
+              "is too large")};
   const std::vector<ShownPicture> pictures = shown_with(fault, scenes);
   EXPECT_EQ(std::count(pictures.back().image.begin(), pictures.back().image.end(), std::nullopt),
             static_cast<std::ptrdiff_t>(pictures.back().image.size()));
@@ -424,9 +425,10 @@ TEST(PictureCauses, NameTheFormulaWithTheFewestRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   for (const auto* intersect : {&fast::kLecture, &fast::kQuadratic}) {
-    EXPECT_EQ(sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
-              Sentences{kDifference + std::string("8 radii on), because larger numbers are "
-                                                  "subtracted; r^2 - |T x D|^2 keeps them")})
+    EXPECT_EQ(
+        sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
+        Sentences{kDifference + std::string("8 radii on), because it is the difference of "
+                                            "much larger numbers; r^2 - |T x D|^2 keeps them")})
         << intersect->name;
   }
   for (const auto* intersect : {&fast::kSingleLecture, &fast::kSingleQuadratic}) {
@@ -444,8 +446,8 @@ TEST(PictureCauses, OfFarSpheresThatAreDroppedDoNotNameRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   const char* const sentence =
-      "hits with an s above about 1e5 (perhaps less) are dropped: the largest s that counts is too "
-      "small";
+      "hits with an s above about 1e5 (the limit may be smaller) are dropped: the largest s that "
+      "counts is too small";
   EXPECT_EQ(sentences_for(shown_with({mistake(sentence)}, scenes)), Sentences{sentence});
   // One of two far spheres is missing, for an unknown reason.
   std::vector<ShownPicture> pictures = shown_with({}, scenes);
@@ -459,10 +461,9 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeNameBoth) {
   const Fault fault = {mistake("top is -bottom")};
   std::vector<ShownPicture> pictures = shown_with(fault, rubric_scenes());
   pictures.push_back(shown_by(fast::kDirectRays, fast::kLecture, {far_scene(2e8)}).front());
-  EXPECT_EQ(
-      sentences_for(pictures),
-      Sentences{std::string("top is -bottom; and ") + kDifference +
-                "8 radii on), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them"});
+  EXPECT_EQ(sentences_for(pictures), Sentences{std::string("top is -bottom; and ") + kDifference +
+                                               "8 radii on), because it is the difference of much "
+                                               "larger numbers; r^2 - |T x D|^2 keeps them"});
 }
 
 /// Every pixel is in doubt.

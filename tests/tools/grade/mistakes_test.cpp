@@ -77,8 +77,8 @@ const std::vector<Mistake> kOfPictures = {
     {"upside_down", 105, "pixel (0, 0)", "rows are upside down", 2},
     {"mirrored", 103, "pixel (0, 0), robustness", "columns are mirrored", 3},
     {"cancelling", 108, "robustness",
-     "d^2 loses its digits (in the cases examined from 10^8 radii on), because larger numbers are "
-     "subtracted; "
+     "d^2 loses its digits (in the cases examined from 10^8 radii on), because it is the "
+     "difference of much larger numbers; "
      "r^2 - |T x D|^2 keeps them",
      1},
     {"left_and_right_negated", 103, "boundary pixels, robustness",
@@ -98,7 +98,9 @@ const std::vector<Mistake> kOfPictures = {
     {"from_the_eye", 98, "ray origin, robustness",
      "rays start at the eye, so that spheres before the image plane are seen", 3},
     {"epsilon", 106, "robustness",
-     "hits with an s below about 0.001 (perhaps more) are dropped: the epsilon is too large", 1},
+     "hits with an s below about 0.001 (the limit may be larger) are dropped: the epsilon is too "
+     "large",
+     1},
     {"whole_numbers", 85, "camera frame, robustness",
      "numbers are read as integers: their fractions are dropped", 9},
     {"whole_bounds", 97, "boundary pixels, robustness",
@@ -126,12 +128,12 @@ const std::vector<Mistake> kOfPictures = {
      "s >= 0 is not tested, and the least |s| wins, even if s is negative", 4},
     {"steps_of_larger", 105, "width and height", "it fails only if the picture is not square", 2},
     {"largest_multiple", 104, "robustness",
-     "hits with an s above about 1e5 (perhaps less), in multiples of P - E, are dropped: the "
-     "largest s that counts is too small",
+     "hits with an s above about 1e5 (the limit may be smaller), in multiples of P - E, are "
+     "dropped: the largest s that counts is too small",
      1},
     {"largest_distance", 106, "robustness",
-     "hits with an s above about 1e6 (perhaps less) are dropped: the largest s that counts is too "
-     "small",
+     "hits with an s above about 1e6 (the limit may be smaller) are dropped: the largest s that "
+     "counts is too small",
      1},
 };
 

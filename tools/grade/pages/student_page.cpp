@@ -31,7 +31,7 @@ std::string failing_html(const FailingCase& failing) {
   const WrongAnswer& answer = failing.answer;
   return pictures_html(failing) + "<dl>\n" + row("the law", law_text(failing)) +
          row("wrong answer", answer_text(answer)) + row("yours", got_text(answer)) +
-         row("exact", exact_text(answer)) + row("goes wrong at", failing.step.value_or("")) +
+         row("exact", exact_text(answer)) + row("goes wrong at", step_text(failing)) +
          row("smallest case found, from", origin_text(failing.origin)) + "</dl>\n";
 }
 
@@ -131,9 +131,12 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
 }
 
 HomeCommand command_for_all(const StudentGrade& grade) {
-  return {"To grade your submission again, run in its folder",
-          fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
-                      grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
+  return {
+      shipped_rubric(grade.rubric)
+          ? "To grade your submission again, run in its folder"
+          : "To grade your submission again, run in its folder, with " + grade.rubric + " in it",
+      fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
+                  grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
 }
 
 std::string report_page(const StudentGrade& grade) {

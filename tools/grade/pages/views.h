@@ -60,6 +60,8 @@ std::string answer_text(const WrongAnswer& answer);
 /// The numbers of the answer, or "miss"; empty if there are no numbers or they are withheld.
 std::string got_text(const WrongAnswer& answer);
 std::string exact_text(const WrongAnswer& answer);
+/// The step at which the failing case goes wrong, or empty.
+std::string step_text(const FailingCase& failing);
 
 /// The reason as a text; empty if there is none.
 std::string reason_text(const ItemReason& reason);

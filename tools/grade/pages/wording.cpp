@@ -53,6 +53,12 @@ std::string exact_text(const WrongAnswer& answer) {
   return answer_text(answer.quantity, answer.symbol, *answer.exact);
 }
 
+std::string step_text(const FailingCase& failing) {
+  if (!failing.step) return "";
+  const bool is_root = *failing.step == info(Quantity::kRoot).name;
+  return is_root ? "the root (its choice or its value)" : *failing.step;
+}
+
 std::string reason_text(const ItemReason& reason) {
   using Kind = ItemReason::Kind;
   switch (reason.kind) {
@@ -206,7 +212,7 @@ std::string item_text(const StudentGrade& all, std::size_t k) {
     line("  got   ", got_text(grade.failing->answer));
     line("  exact ", exact_text(grade.failing->answer));
     line("", difference_text(*grade.failing));
-    line("goes wrong at: ", grade.failing->step.value_or(""));
+    line("goes wrong at: ", step_text(*grade.failing));
   }
   if (grade.state == ItemState::kFails) line("hint: ", hint_text(item, grade));
   if (grade.failing) {
