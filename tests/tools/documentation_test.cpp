@@ -91,7 +91,7 @@ std::string without_times(std::string line) {
       {std::regex("isolated by: .*$"), "isolated"},
       {std::regex(R"(built in [0-9.]+ s(, [0-9]+ from the store)?, judged in [0-9.]+ s)"),
        "built and judged in T s"},
-      {std::regex(R"(in [-0-9.e]+ s by [0-9]+ threads?$)"), "in T s"}};
+      {std::regex(R"(in [-0-9.e]+ s with [0-9]+ threads?$)"), "in T s"}};
   for (const auto& [time, stands_for] : kTimes) line = std::regex_replace(line, time, stands_for);
   return line;
 }
