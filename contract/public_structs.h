@@ -119,9 +119,6 @@ To conventions(const scene::Conventions& c) {
           static_cast<decltype(To::tangent)>(seen(c.tangent))};
 }
 
-inline std::string_view text(const char* given) { return given == nullptr ? "" : given; }
-inline std::string_view text(const std::string& given) { return given; }
-
 /// What a candidate's struct declares, built for a version of the public header. Errors:
 /// std::invalid_argument naming the member.
 template <class From, class Conventions, class Roots>
@@ -151,7 +148,9 @@ Declarations declarations(const From& from, const Conventions& fixed, const Root
     from_public(from.directions, "directions", declared.interface.directions);
     from_public(from.returns, "returns", declared.interface.returns);
   }
-  if (version >= 5) declare_all(text(from.contract), declared);
+  if constexpr (requires { from.contract; }) {
+    if (version >= 5 && from.contract != nullptr) declare_all(from.contract, declared);
+  }
   return declared;
 }
 

@@ -44,8 +44,6 @@ struct Candidate {
   Roots roots = Roots::usual;
   Directions directions = Directions::any;  ///< unit: it is called only with unit directions.
   Returns returns = Returns::hit;  ///< Which members of Hit are judged; the others may be anything.
-  /// More declarations, in the words of `raycheck list`: "samples centres; t_min 1e-4".
-  std::string contract;
 
   /// The camera's axes, unit and at right angles.
   std::function<Frame(const Camera&)> frame;

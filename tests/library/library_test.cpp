@@ -233,18 +233,6 @@ TEST(Judge, JudgesOnlyDeclaredReturnsAndDirections) {
   EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
 }
 
-TEST(Judge, CallsFunctionsAsTheContractSays) {
-  Candidate across("across");
-  across.declares.tangent = Tangent::either;
-  across.intersect = [](const Ray& ray, const Sphere& ball, const Conventions& asked) {
-    return ::intersect(ray, {ball.centre, ball.radius / 2}, asked);
-  };
-  EXPECT_EQ(judge(across, "class", "rays").finding, Finding::broken);
-  across.contract = "spheres diameter; returns parameter";
-  EXPECT_EQ(judge(across, "class", "rays").finding, Finding::holds);
-  EXPECT_EQ(judge(across, "hit-point", "rays").finding, Finding::left_out);
-}
-
 TEST(Judge, SaysWhereAndWhyALawIsBroken) {
   Candidate wrong = tracer();
   wrong.name = "far";
@@ -312,7 +300,6 @@ TEST(Judge, JudgesOnlyFunctionsThatAreSet) {
   EXPECT_TRUE(refused([](Candidate& c) { c.precision = static_cast<Precision>(2); }));
   EXPECT_TRUE(refused([](Candidate& c) { c.directions = static_cast<Directions>(-1); }));
   EXPECT_TRUE(refused([](Candidate& c) { c.roots = static_cast<Roots>(3); }));
-  EXPECT_TRUE(refused([](Candidate& c) { c.contract = "spheres cubic"; }));
   EXPECT_TRUE(refused([](Candidate& c) {
     c.roots = Roots::declared;
     c.declares.valid.t_min = std::nan("");

@@ -56,8 +56,8 @@ const std::vector<Mistake> kOfPictures = {
     {"u_and_w_flipped", 85, "camera frame, robustness",
      "U and W have the wrong sign, as by W = A - E", 11},
     {"no_test_for_t", 98, "nearest root, robustness",
-     "s >= 0 is not tested: spheres behind the origin are hit, or: the smallest s wins, though it "
-     "is negative",
+     "s >= 0 is not tested: spheres behind the origin are hit, or: the smallest s wins, even if "
+     "it is negative",
      4},
     {"first_sphere_wins", 95, "nearest sphere", "the first sphere in the file wins", 2},
     {"normalize_discarded", 90, "unit directions, robustness",

@@ -172,8 +172,9 @@ Build next_build(const Intake& intake, const Build& last) {
   const std::string& before = last.made.what;
   if (!before.empty() && before != build.made.what) build.draw_nothing.push_back(before);
   for (const std::string& other : build.draw_nothing) {
-    build.made.notes.push_back(fmt::format(
-        "what was built from {} shows no spheres; built from {} instead", other, build.made.what));
+    build.made.notes.push_back(
+        fmt::format("the program built from {} shows no spheres; it was built from {} instead",
+                    other, build.made.what));
   }
   return build;
 }
