@@ -85,9 +85,7 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
   }
   if (format.segments) {
     for (scene::Ray& ray : the_case.scene.rays) {
-      const scene::Ray before = ray;
-      make_segment(ray, precision);
-      if (!(ray == before)) ++result.changed;
+      ray = rounded_ray(ray, format);
       if (!scene::defects(ray).empty()) {
         result.reason = "a segment's end rounds to its origin, or out of range";
         return result;
