@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "contract/declarations.h"
 
 namespace raycheck::contract {
@@ -6,7 +8,7 @@ std::vector<scene::Defect> defects(const Declarations& declared) {
   std::vector<scene::Defect> found =
       scene::defects(declared.conventions.over(scene::Conventions{}));
   const auto& [smallest, largest] = declared.lengths;
-  if (!(smallest >= 0 && smallest < largest)) {
+  if (!(smallest >= 0 && std::isfinite(smallest) && smallest <= largest)) {
     std::string range;
     append(range, declared.lengths);
     found.push_back({"lengths", range, "must be two numbers from 0 on, the smaller one first"});

@@ -133,9 +133,7 @@ Declarations declarations(const From& from, const Conventions& fixed, const Root
     from_public(from.level, "level", level);
     declared.level = level.value_or(declared.level);
     declared.lengths.smallest = from.smallest_length;
-    if (from.smallest_length != 0 || from.largest_length != 0) {
-      declared.lengths.largest = from.largest_length;
-    }
+    if (from.largest_length != 0) declared.lengths.largest = from.largest_length;
   }
   if (version >= 3) {
     from_public(from.precision, "precision", declared.precision);

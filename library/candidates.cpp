@@ -110,7 +110,8 @@ properties::Candidate inside(const Candidate& candidate) {
       declared, candidate.name, properties::fast_candidate(fast::kDirectRays, fast::kCross));
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
-  static_cast<properties::Functions&>(inside) = properties::adapted(inside, declared.interface);
+  static_cast<properties::Functions&>(inside) =
+      properties::adapted(inside, declared.interface, declared.precision);
   return judged_in(declared.precision, std::move(inside));
 }
 

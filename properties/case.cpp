@@ -68,8 +68,11 @@ void make_segment(scene::Ray& ray, Precision precision) {
 
 }  // namespace
 
-scene::Ray with_unit_direction(scene::Ray ray) {
-  if (!is_unit(ray.direction, Precision::kDouble)) make_unit(ray.direction);
+scene::Ray with_unit_direction(scene::Ray ray, Precision precision) {
+  auto& [x, y, z] = ray.direction;
+  if (is_unit(ray.direction, precision)) return ray;
+  make_unit(ray.direction);
+  for (double* one : {&x, &y, &z}) *one = scene::rounded_to(precision, *one);
   return ray;
 }
 

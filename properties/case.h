@@ -76,7 +76,7 @@ struct RoundedCase {
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
 /// The ray with a direction of length 1, up to rounding.
-scene::Ray with_unit_direction(scene::Ray ray);
+scene::Ray with_unit_direction(scene::Ray ray, scene::Precision precision);
 
 /// The ray, rounded to the format.
 scene::Ray rounded_ray(scene::Ray ray, InputFormat format);

@@ -70,8 +70,8 @@ scene::Pixel passed(const scene::Pixel& pixel, const Interface& interface) {
   return row_first ? scene::Pixel{pixel.j, pixel.i} : pixel;
 }
 
-scene::Ray made(const scene::Ray& ray, const Interface& interface) {
-  return interface.made == contract::MadeLength::kAny ? with_unit_direction(ray) : ray;
+scene::Ray made(const scene::Ray& ray, const Interface& interface, scene::Precision precision) {
+  return interface.made == contract::MadeLength::kAny ? with_unit_direction(ray, precision) : ray;
 }
 
 HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
@@ -105,10 +105,12 @@ HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray
            along(ray.origin.z, ray.direction.z)}};
 }
 
-Functions adapted(Functions functions, const Interface& interface) {
+Functions adapted(Functions functions, const Interface& interface, scene::Precision precision) {
   Functions as_given = functions;
   const auto as_is = [](const scene::Point3& /*point*/) {};
-  const auto make_unit = [interface](scene::Ray& ray) { ray = made(ray, interface); };
+  const auto make_unit = [interface, precision](scene::Ray& ray) {
+    ray = made(ray, interface, precision);
+  };
   adapt_pixels(functions.pixel_points, interface, as_is);
   adapt_pixels(functions.pixel_rays, interface, make_unit);
   adapt_pixels(functions.focal_rays, interface, make_unit);
@@ -134,8 +136,8 @@ Functions adapted(Functions functions, const Interface& interface) {
       return nearest(all_passed(rays, interface), all_passed(spheres, interface), conventions);
     };
   }
-  functions.by_interface = [as_given = std::move(as_given)](const Interface& other) {
-    return adapted(as_given, other);
+  functions.by_interface = [as_given = std::move(as_given), precision](const Interface& other) {
+    return adapted(as_given, other, precision);
   };
   return functions;
 }

@@ -16,7 +16,8 @@ scene::Sphere passed(const scene::Sphere& sphere, const contract::Interface& int
 scene::Pixel passed(const scene::Pixel& pixel, const contract::Interface& interface);
 
 /// A ray that the candidate makes; its direction is normalised if the interface allows any length.
-scene::Ray made(const scene::Ray& ray, const contract::Interface& interface);
+scene::Ray made(const scene::Ray& ray, const contract::Interface& interface,
+                scene::Precision precision);
 
 /// A hit with the values that the candidate does not return: s is the distance over the direction's
 /// length, or the projection of Q; Q is the point at s; with only a hit class both are where the
@@ -25,6 +26,7 @@ HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray
                     const scene::Sphere& sphere);
 
 /// The functions of a candidate of an interface, as laws call them.
-Functions adapted(Functions functions, const contract::Interface& interface);
+Functions adapted(Functions functions, const contract::Interface& interface,
+                  scene::Precision precision);
 
 }  // namespace raycheck::properties

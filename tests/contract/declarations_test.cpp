@@ -56,6 +56,7 @@ TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expect
   }
   for (const auto& [contract, field] : {std::pair("lengths 2 1", "lengths"),
                                         {"lengths nan 1", "lengths"},
+                                        {"lengths inf inf", "lengths"},
                                         {"t_min 2; t_max 1", "conventions.t_max"},
                                         {"t_min -1", "conventions.t_min"}}) {
     const std::vector<scene::Defect> found = defects(declared(contract));
@@ -152,6 +153,11 @@ TEST(PublicStructs, declare_what_the_header_of_their_version_has) {
               expected);
   }
   EXPECT_EQ(by_version.size(), std::size_t{RAYCHECK_CANDIDATE_VERSION});
+  library.smallest_length = 2;
+  library.largest_length = 0;  // no bound
+  const Declarations declared = declarations(library, library.declared, library.declared_roots, 2);
+  EXPECT_EQ(declared.lengths, (Lengths{.smallest = 2}));
+  EXPECT_TRUE(defects(declared).empty());
 }
 
 }  // namespace

@@ -413,7 +413,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   add_functions(talk, external.introduction.functions, candidate);
   static_cast<properties::Functions&>(candidate) =
       adapted(static_cast<const properties::Functions&>(candidate),
-              external.introduction.declared.interface);
+              external.introduction.declared.interface, external.precision);
   return judged_in(external.precision, std::move(candidate));
 }
 

@@ -73,6 +73,7 @@ ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library
 
 ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& library,
                                                 const contract::Interface& interface,
+                                                scene::Precision precision,
                                                 const std::vector<RaysCall>& given) {
   struct Call {
     decltype(library.pixel_ray) make;
@@ -103,10 +104,10 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
           rays.push_back(make(&camera, &asked.conventions, pixel));
         }
       },
-      [interface](std::size_t /*k*/, const Rays& rays) {
+      [interface, precision](std::size_t /*k*/, const Rays& rays) {
         std::vector<scene::Ray> all;
         for (const raycheck_ray& ray : rays) {
-          all.push_back(properties::made(contract::ray<scene::Ray>(ray), interface));
+          all.push_back(properties::made(contract::ray<scene::Ray>(ray), interface, precision));
         }
         return all;
       });
@@ -132,8 +133,8 @@ InProcess calls_in_process(const External& external) {
     };
   }
   if (library.pixel_ray != nullptr || library.focal_ray != nullptr) {
-    calls.make_rays = [&library, interface](const auto& given) {
-      return ready_calls(library, interface, given);
+    calls.make_rays = [&library, interface, precision = external.precision](const auto& given) {
+      return ready_calls(library, interface, precision, given);
     };
   }
   return calls;

@@ -208,7 +208,7 @@ TEST(Completed, AddsDerivedValues) {
     functions.intersect = [&](auto, auto, const auto&) {
       return std::vector<properties::SphereHits>{{{0, given}}};
     };
-    return adapted(functions, {.returns = returns})
+    return adapted(functions, {.returns = returns}, scene::Precision::kDouble)
         .intersect({&ray, 1}, {&sphere, 1}, {})
         .at(0)
         .at(0)

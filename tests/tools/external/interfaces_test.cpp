@@ -99,5 +99,16 @@ TEST(Interfaces, of_segments_have_ends_that_are_doubles) {
   EXPECT_EQ(passed(exact, segments).direction, (scene::Vector3{1.5, 0, 3}));
 }
 
+/// Code in floats receives its own rays again: they must be floats.
+TEST(Interfaces, of_any_length_give_unit_directions_of_the_format) {
+  const contract::Interface any = {.made = contract::MadeLength::kAny};
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    const auto [x, y, z] = properties::made({{}, {3, 1, 7}}, any, precision).direction;
+    for (const double one : {x, y, z}) EXPECT_EQ(scene::rounded_to(precision, one), one);
+    EXPECT_NEAR(x * x + y * y + z * z, 1, 4 * scene::unit_roundoff(precision));
+    EXPECT_NEAR(z / x, 7.0 / 3, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace raycheck::tests

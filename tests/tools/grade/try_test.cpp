@@ -124,6 +124,35 @@ TEST(TryCommand, names_the_function_that_is_missing_and_what_to_do) {
   for (const char* part : {"Print P.", "Print D."}) EXPECT_FALSE(has(page, part)) << part;
 }
 
+/// What a submission declares must not take an item's subject away.
+TEST(TryCommand, ignores_how_a_submission_would_be_called) {
+  const Grading grading;
+  const std::string rubric = grading.short_rubric(
+      "", item_of("unit", "points = 4", functions("unit-direction", "course", 6)));
+  const auto points = [&](const std::string& name, const std::string& length) {
+    return try_it(grading, rubric, grading.hand_in(name, "rays.py", R"(import math
+import raycheck_candidate as rc
+
+def pixel_ray(camera, conventions, pixel):
+    def unit(v):
+        return [x / math.hypot(*v) for x in v]
+    def cross(a, b):
+        return [a[1]*b[2] - a[2]*b[1], a[2]*b[0] - a[0]*b[2], a[0]*b[1] - a[1]*b[0]]
+    w = unit([e - l for e, l in zip(camera.eye, camera.look_at)])
+    u = unit(cross(camera.up, w))
+    v = cross(w, u)
+    a = camera.left + (camera.right - camera.left) * pixel[0] / (camera.width - 1)
+    b = camera.bottom + (camera.top - camera.bottom) * pixel[1] / (camera.height - 1)
+    d = [camera.near * n + a * x + b * y for n, x, y in zip(w, u, v)]
+    return [e + x for e, x in zip(camera.eye, d)], [)" + length + R"( * x for x in unit(d)]
+
+rc.run("mine", pixel_ray=pixel_ray, rows="bottom-first", samples="edges", made_directions="any")
+)"));
+  };
+  EXPECT_EQ(points("long", "3").exit_code, 1);
+  EXPECT_EQ(points("unit", "1").exit_code, 0);
+}
+
 TEST(TryCommand, writes_no_placeholder_to_the_page_of_a_program_that_does_not_compile) {
   const Grading grading;
   const std::string rubric = grading.write("rubric.toml", kAsTheyCome + kFewPictures);

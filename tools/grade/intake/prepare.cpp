@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 
+#include "contract/declarations.h"
 #include "scene/text.h"
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
@@ -246,6 +247,10 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     found.build_seconds = build.seconds;
     // The rubric sets the precision, whatever the submission declares.
     external.precision = scene::Precision::kDouble;
+    // Nor may it choose how it is called: rows for columns, or directions that are not unit, are
+    // what items are about.
+    contract::Interface& interface = external.introduction.declared.interface;
+    interface = {.directions = interface.directions, .returns = interface.returns};
     // The program's folder must outlive it; a library keeps its folder itself.
     if (!external.folder) external.folder = build.folder;
     if (external.renderer) ask_in_its_form(runnable, intake, options.folder, control);
