@@ -57,10 +57,10 @@ enum class PixelOrder { kColumnRow, kRowColumn };
 inline constexpr std::array<std::string_view, 2> kPixelOrderNames = {"column-row", "row-column"};
 constexpr auto& names_of(PixelOrder /*of*/) { return kPixelOrderNames; }
 
-/// The length of the directions of the rays that a candidate makes. Directions of any length are
-/// made unit before they are judged.
-enum class MadeLength { kUnit, kAny };
-inline constexpr std::array<std::string_view, 2> kMadeLengthNames = {"unit", "any"};
+/// The length of the directions of the rays that a candidate makes: 1; any, or |P - E| (s = 1 on
+/// the image plane). Directions that are not unit are made unit before they are judged.
+enum class MadeLength { kUnit, kAny, kImagePlane };
+inline constexpr std::array<std::string_view, 3> kMadeLengthNames = {"unit", "any", "image-plane"};
 constexpr auto& names_of(MadeLength /*of*/) { return kMadeLengthNames; }
 
 /// What comes with the origin of a ray: its direction, or its point at s = 1, the end of a segment.
@@ -68,12 +68,27 @@ enum class RayForm { kDirection, kEnd };
 inline constexpr std::array<std::string_view, 2> kRayFormNames = {"direction", "end"};
 constexpr auto& names_of(RayForm /*of*/) { return kRayFormNames; }
 
+/// The windows of the cameras that a candidate accepts: all, or those of a camera with a field of
+/// view, centred on the axis (left = -right < 0, bottom = -top < 0, near < 0), with pixels of any
+/// shape or square ones.
+enum class Windows { kAny, kSymmetric, kSquarePixels };
+inline constexpr std::array<std::string_view, 3> kWindowsNames = {"any", "symmetric",
+                                                                  "square-pixels"};
+constexpr auto& names_of(Windows /*of*/) { return kWindowsNames; }
+
+/// What comes with the eye of a camera: the point A that it looks at, or the view direction A - E.
+enum class View { kLookAt, kDirection };
+inline constexpr std::array<std::string_view, 2> kViewNames = {"look-at", "direction"};
+constexpr auto& names_of(View /*of*/) { return kViewNames; }
+
 /// How a candidate is called, and what it returns.
 struct Interface {
   Directions directions = Directions::kAny;
   RayForm rays = RayForm::kDirection;
   SphereSize spheres = SphereSize::kRadius;
   PixelOrder pixels = PixelOrder::kColumnRow;
+  Windows windows = Windows::kAny;
+  View view = View::kLookAt;
   MadeLength made = MadeLength::kUnit;
   Returns returns = Returns::kHit;
   bool operator==(const Interface&) const = default;
@@ -85,6 +100,9 @@ void for_each_choice(SomeInterface& interface, Visit visit) {
         "what comes with a ray's origin: a direction, or the point at s = 1");
   visit("spheres", interface.spheres, "the number that comes with a sphere's centre");
   visit("pixels", interface.pixels, "the order of a pixel's two indices");
+  visit("windows", interface.windows, "the windows of the cameras that it accepts");
+  visit("view", interface.view,
+        "what comes with a camera's eye: the point looked at, or the view direction");
   visit("made_directions", interface.made,
         "the length of the directions of the rays that it makes");
   visit("returns", interface.returns, "what it returns for a hit");

@@ -66,6 +66,48 @@ void make_segment(scene::Ray& ray, Precision precision) {
   make_segment(origin.z, step.z, precision);
 }
 
+/// The width of a pixel, rounded so that its product with half a count of pixels is exact.
+double exact_pixel(double width, std::int64_t pixels, Precision precision) {
+  const int digits = 1 - std::ilogb(scene::unit_roundoff(precision));
+  const int left = std::max(1, digits - 1 - std::ilogb(static_cast<double>(pixels)) - 1);
+  const int scale = left - 1 - std::ilogb(width);
+  return std::scalbn(std::nearbyint(std::scalbn(width, scale)), -scale);
+}
+
+/// Replaces a window that the format does not accept, and returns whether it did.
+bool fit_window(scene::Camera& camera, InputFormat format) {
+  using contract::Windows;
+  if (format.windows == Windows::kAny) return false;
+  const scene::Camera given = camera;
+  double right = std::max(std::abs(camera.left), std::abs(camera.right));
+  double top = std::max(std::abs(camera.bottom), std::abs(camera.top));
+  const auto width = static_cast<double>(camera.width), height = static_cast<double>(camera.height);
+  if (format.windows == Windows::kSquarePixels && right * height != top * width) {
+    const std::int64_t pixels = std::max(camera.width, camera.height);
+    const double size = exact_pixel(top / height * 2, pixels, format.precision);
+    right = size * width / 2;
+    top = size * height / 2;
+  }
+  camera.near = -std::abs(camera.near);
+  camera.left = -right;
+  camera.right = right;
+  camera.bottom = -top;
+  camera.top = top;
+  return camera != given;
+}
+
+/// Moves E and A as the ends of a segment, if the format needs that, and returns whether it did.
+bool fit_view(scene::Camera& camera, InputFormat format) {
+  if (!format.view_directions) return false;
+  const auto& [from, to] = std::pair(camera.eye, camera.look_at);
+  scene::Ray segment = {from, {to.x - from.x, to.y - from.y, to.z - from.z}};
+  make_segment(segment, format.precision);
+  const auto& [eye, view] = segment;
+  camera.eye = eye;
+  camera.look_at = {eye.x + view.x, eye.y + view.y, eye.z + view.z};
+  return camera.eye != from || camera.look_at != to;
+}
+
 }  // namespace
 
 scene::Ray with_unit_direction(scene::Ray ray, Precision precision) {
@@ -95,32 +137,35 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
       }
     }
   }
-  if (precision == Precision::kDouble) {
-    result.the_case = std::move(the_case);
-    return result;
+  if (precision == Precision::kSingle) {
+    const auto round = [&](double& x) {
+      const double rounded = scene::rounded_to(precision, x);
+      if (rounded == x) return;
+      ++result.changed;
+      const bool is_lost = !std::isfinite(rounded) || rounded == 0;
+      if (is_lost && result.reason.empty()) {
+        result.reason =
+            "rounded to floats: " + scene::shortest(x) + " is outside the range of floats";
+      }
+      x = rounded;
+    };
+    for_each_number(the_case.scene, round);
+    scene::ValidRoots& valid = the_case.scene.conventions.valid;
+    round(valid.t_min);
+    round(valid.t_max);
+    if (the_case.scene.camera) the_case.scene.camera->far.reset();
+    if (!result.reason.empty()) return result;
   }
-  const auto round = [&](double& x) {
-    const double rounded = scene::rounded_to(precision, x);
-    if (rounded == x) return;
-    ++result.changed;
-    const bool is_lost = !std::isfinite(rounded) || rounded == 0;
-    if (is_lost && result.reason.empty()) {
-      result.reason =
-          "rounded to floats: " + scene::shortest(x) + " is outside the range of floats";
+  result.other_window = the_case.scene.camera && fit_window(*the_case.scene.camera, format);
+  const bool moved = the_case.scene.camera && fit_view(*the_case.scene.camera, format);
+  if (precision == Precision::kSingle || result.other_window || moved) {
+    const auto defects = scene::defects(the_case.scene);
+    if (!defects.empty()) {
+      result.reason = result.changed > 0 ? "rounded to floats: " : "as the candidate accepts it: ";
+      result.reason +=
+          defects.front().field + " = " + defects.front().value + ": " + defects.front().what;
+      return result;
     }
-    x = rounded;
-  };
-  for_each_number(the_case.scene, round);
-  scene::ValidRoots& valid = the_case.scene.conventions.valid;
-  round(valid.t_min);
-  round(valid.t_max);
-  if (the_case.scene.camera) the_case.scene.camera->far.reset();
-  if (!result.reason.empty()) return result;
-  const auto defects = scene::defects(the_case.scene);
-  if (!defects.empty()) {
-    result.reason = "rounded to floats: " + defects.front().field + " = " + defects.front().value +
-                    ": " + defects.front().what;
-    return result;
   }
   result.the_case = std::move(the_case);
   return result;
@@ -137,6 +182,18 @@ scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
   return ray;
 }
 
+RoundedCase rounded_scene(scene::Scene scene, InputFormat format) {
+  RoundedCase rounded = rounded_case({std::move(scene), {}}, format);
+  if (!rounded.other_window) return rounded;
+  rounded.the_case.reset();
+  rounded.reason = "the candidate accepts only windows that are " +
+                   std::string(format.windows == contract::Windows::kSymmetric
+                                   ? "symmetric: left = -right < 0, bottom = -top < 0, near < 0"
+                                   : "symmetric with square pixels: left = -right < 0, bottom = "
+                                     "-top < 0, right / top = width / height, near < 0");
+  return rounded;
+}
+
 bool is_of_format(const scene::Scene& scene, InputFormat format) {
   const Precision precision = format.precision;
   bool all = !format.unit_directions ||
@@ -146,6 +203,10 @@ bool is_of_format(const scene::Scene& scene, InputFormat format) {
     all = all && std::ranges::all_of(scene.rays, [&](const scene::Ray& ray) {
             return rounded_ray(ray, format) == ray;
           });
+  }
+  if (scene.camera) {
+    scene::Camera camera = *scene.camera;
+    all = all && !fit_window(camera, format) && !fit_view(camera, format);
   }
   if (precision == Precision::kDouble) return all;
   scene::Scene copy = scene;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -30,34 +31,48 @@ using contract::kLevelNames;
 using contract::Level;
 using contract::name;
 
-/// The numbers that a candidate accepts: those of a format and, if it needs unit directions, only
+/// The inputs that a candidate accepts: numbers of a format and, if it needs unit directions, only
 /// rays with directions of length 1 up to rounding; if it is given segments, only rays whose point
-/// at s = 1 is of the format, too.
+/// at s = 1 is of the format, too; cameras with these windows and, if it is given view directions,
+/// only cameras for which A - E is of the format.
 struct InputFormat {
   constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
                         const contract::Interface& interface = {})
       : precision(its_precision),
         unit_directions(interface.directions == contract::Directions::kUnit),
-        segments(interface.rays == contract::RayForm::kEnd) {}
+        segments(interface.rays == contract::RayForm::kEnd),
+        windows(interface.windows),
+        view_directions(interface.view == contract::View::kDirection) {
+    if (segments) unit_directions = false;  // the direction follows from the ends
+  }
   scene::Precision precision;
   bool unit_directions, segments;
+  contract::Windows windows;
+  bool view_directions;
   bool operator==(const InputFormat&) const = default;
 };
-/// Segments have no unit directions.
-inline constexpr contract::Interface kUnitDirections = {.directions = contract::Directions::kUnit};
-inline constexpr contract::Interface kSegments = {.rays = contract::RayForm::kEnd};
-inline constexpr std::array<InputFormat, 6> kInputFormats = {
-    {{scene::Precision::kDouble},
-     {scene::Precision::kDouble, kUnitDirections},
-     {scene::Precision::kDouble, kSegments},
-     {scene::Precision::kSingle},
-     {scene::Precision::kSingle, kUnitDirections},
-     {scene::Precision::kSingle, kSegments}}};
+inline constexpr auto kInputFormats = [] {
+  using contract::Directions, contract::RayForm, contract::View, contract::Windows;
+  std::array<InputFormat, 36> all;
+  std::size_t count = 0;
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    for (const auto windows : {Windows::kAny, Windows::kSymmetric, Windows::kSquarePixels}) {
+      for (const auto view : {View::kLookAt, View::kDirection}) {
+        for (const auto& [directions, rays] : {std::pair(Directions::kAny, RayForm::kDirection),
+                                               {Directions::kUnit, RayForm::kDirection},
+                                               {Directions::kAny, RayForm::kEnd}}) {
+          all[count++] = {
+              precision,
+              {.directions = directions, .rays = rays, .windows = windows, .view = view}};
+        }
+      }
+    }
+  }
+  return all;
+}();
 /// Its index among them.
 constexpr std::size_t index_of(InputFormat format) {
-  return 3 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1
-                                                           : format.segments      ? 2
-                                                                                  : 0);
+  return static_cast<std::size_t>(std::ranges::find(kInputFormats, format) - kInputFormats.begin());
 }
 
 /// A case with all numbers rounded to those that a candidate accepts. Truth, law and candidate all
@@ -67,13 +82,18 @@ struct RoundedCase {
   std::string reason;            ///< Why the case is left out.
   std::size_t changed = 0;       ///< The count of numbers that were rounded.
   std::size_t made_unit = 0;     ///< The count of given directions that were normalised.
+  bool other_window = false;     ///< Whether the camera's window was replaced by an accepted one.
 };
 
 /// Normalises given directions if the format needs that, then rounds every number of the scene to
-/// the format, to nearest, ties to even, and for segments the ends of given rays. The case is left
-/// out if a number leaves the format's range (becomes infinite, or 0), or if the rounded scene is
-/// invalid.
+/// the format, to nearest, ties to even, and for segments the ends of given rays; then it replaces
+/// a window that the candidate does not accept, and moves E and A so that A - E is of the format,
+/// if that is needed. The case is left out if a number leaves the format's range (becomes infinite,
+/// or 0), or if the rounded scene is invalid.
 RoundedCase rounded_case(Case the_case, InputFormat format);
+
+/// The same for a scene that a user gives: it is left out if its window would be replaced.
+RoundedCase rounded_scene(scene::Scene scene, InputFormat format);
 
 /// The ray with a direction of length 1, up to rounding.
 scene::Ray with_unit_direction(scene::Ray ray, scene::Precision precision);

@@ -39,6 +39,33 @@ double end_of(double origin, double step) {
   throw CannotBeSaid("the end of a segment, origin + direction, is not a double");
 }
 
+/// A - E in one dimension.
+double view_along(double eye, double look_at) {
+  const double view = look_at - eye;
+  if (eye + view == look_at && look_at - view == eye) return view;
+  throw CannotBeSaid("the view direction, look_at - eye, is not a double");
+}
+
+/// E + (P - E), of a candidate whose directions are P - E.
+auto points_of(const Functions& functions, scene::Precision precision) {
+  const auto& make = functions.focal_rays ? functions.focal_rays : functions.pixel_rays;
+  decltype(functions.pixel_points) points;
+  if (!make) return points;
+  points = [make, precision](const scene::Camera& camera, const scene::Conventions& conventions,
+                             Functions::Pixels pixels) {
+    const auto end = [=](double eye, double step) {
+      return scene::rounded_to(precision, eye + step);
+    };
+    std::vector<scene::Point3> all;
+    for (const scene::Ray& ray : make(camera, conventions, pixels)) {
+      const auto& [x, y, z] = ray.direction;
+      all.push_back({end(camera.eye.x, x), end(camera.eye.y, y), end(camera.eye.z, z)});
+    }
+    return all;
+  };
+  return points;
+}
+
 /// A function of pixels.
 template <class Make, class Answer>
 void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) {
@@ -46,7 +73,7 @@ void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) 
   make = [make, interface, answer](const scene::Camera& camera,
                                    const scene::Conventions& conventions,
                                    Functions::Pixels pixels) {
-    auto all = make(camera, conventions, all_passed(pixels, interface));
+    auto all = make(passed(camera, interface), conventions, all_passed(pixels, interface));
     std::ranges::for_each(all, answer);
     return all;
   };
@@ -70,8 +97,17 @@ scene::Pixel passed(const scene::Pixel& pixel, const Interface& interface) {
   return row_first ? scene::Pixel{pixel.j, pixel.i} : pixel;
 }
 
+scene::Camera passed(const scene::Camera& camera, const Interface& interface) {
+  if (interface.view == contract::View::kLookAt) return camera;
+  scene::Camera one = camera;
+  const auto& [x, y, z] = camera.eye;
+  one.look_at = {view_along(x, one.look_at.x), view_along(y, one.look_at.y),
+                 view_along(z, one.look_at.z)};
+  return one;
+}
+
 scene::Ray made(const scene::Ray& ray, const Interface& interface, scene::Precision precision) {
-  return interface.made == contract::MadeLength::kAny ? with_unit_direction(ray, precision) : ray;
+  return interface.made == contract::MadeLength::kUnit ? ray : with_unit_direction(ray, precision);
 }
 
 HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
@@ -107,6 +143,14 @@ HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray
 
 Functions adapted(Functions functions, const Interface& interface, scene::Precision precision) {
   Functions as_given = functions;
+  if (functions.frame) {
+    functions.frame = [frame = as_given.frame, interface](const scene::Camera& camera) {
+      return frame(passed(camera, interface));
+    };
+  }
+  if (interface.made == contract::MadeLength::kImagePlane && !functions.pixel_points) {
+    functions.pixel_points = points_of(functions, precision);
+  }
   const auto as_is = [](const scene::Point3& /*point*/) {};
   const auto make_unit = [interface, precision](scene::Ray& ray) {
     ray = made(ray, interface, precision);

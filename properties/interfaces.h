@@ -9,13 +9,16 @@
 namespace raycheck::properties {
 
 /// The inputs as a candidate of an interface is given them: a segment's end in place of the
-/// direction, a diameter in place of the radius, a pixel's row in place of its column.
-/// Errors: CannotBeSaid if the end of a segment is not a double (rounded_case() avoids that).
+/// direction, a diameter in place of the radius, a pixel's row in place of its column, the view
+/// direction in place of `look_at`. Errors: CannotBeSaid if the end of a segment or a view
+/// direction is not a double (rounded_case() avoids that).
 scene::Ray passed(const scene::Ray& ray, const contract::Interface& interface);
 scene::Sphere passed(const scene::Sphere& sphere, const contract::Interface& interface);
 scene::Pixel passed(const scene::Pixel& pixel, const contract::Interface& interface);
+scene::Camera passed(const scene::Camera& camera, const contract::Interface& interface);
 
-/// A ray that the candidate makes; its direction is normalised if the interface allows any length.
+/// A ray that the candidate makes; its direction is normalised if the interface does not promise
+/// it.
 scene::Ray made(const scene::Ray& ray, const contract::Interface& interface,
                 scene::Precision precision);
 
@@ -25,7 +28,8 @@ scene::Ray made(const scene::Ray& ray, const contract::Interface& interface,
 HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
                     const scene::Sphere& sphere);
 
-/// The functions of a candidate of an interface, as laws call them.
+/// The functions of a candidate of an interface, as laws call them. If its directions are P - E,
+/// and it has no function for pixel points, these are E plus the direction.
 Functions adapted(Functions functions, const contract::Interface& interface,
                   scene::Precision precision);
 

@@ -50,7 +50,7 @@ class ScenesOfFormats {
     const auto add = [&](properties::InputFormat format) {
       InFormat& here = formats_[index_of(format)];
       if (here.cases || !here.rounded.reason.empty()) return;
-      here.rounded = properties::rounded_case({given, {}}, format);
+      here.rounded = properties::rounded_scene(given, format);
       if (here.rounded.the_case) here.cases.emplace(here.rounded.the_case->scene, pixels);
     };
     add(properties::InputFormat());

@@ -198,7 +198,7 @@ scene::Scene asked_scene(const ExplainOptions& options, const std::optional<Cand
   if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
   if (!other) return scene;
   scene.conventions = other->declared.over(scene.conventions);
-  properties::RoundedCase rounded = properties::rounded_case({scene, {}}, other->input_format());
+  properties::RoundedCase rounded = properties::rounded_scene(scene, other->input_format());
   if (!rounded.the_case) throw std::invalid_argument(other->name + ": " + rounded.reason);
   rounded_numbers = rounded.changed;
   return std::move(rounded.the_case->scene);

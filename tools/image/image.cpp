@@ -179,7 +179,7 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
 std::size_t round_for(const ImageOptions& options, scene::Scene& scene) {
   if (options.what != Picture::kError) return 0;
   properties::RoundedCase rounded =
-      properties::rounded_case({scene, {}}, options.implementation.input_format());
+      properties::rounded_scene(scene, options.implementation.input_format());
   if (!rounded.the_case) throw std::invalid_argument(options.path + ": " + rounded.reason);
   scene = std::move(rounded.the_case->scene);
   return rounded.changed;

@@ -24,7 +24,7 @@ scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& opti
   scene::require_valid(scene);
   scene::Scene shown = scene;
   if (options.other) {
-    auto rounded = properties::rounded_case({scene, {}}, options.other->input_format());
+    auto rounded = properties::rounded_scene(scene, options.other->input_format());
     if (!rounded.the_case) {
       throw std::invalid_argument(options.other->name + ": " + rounded.reason);
     }

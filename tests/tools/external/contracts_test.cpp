@@ -224,22 +224,19 @@ TEST(Completed, AddsDerivedValues) {
 
 TEST(RoundedCase, MakesDirectionsUnitIfRequired) {
   using scene::Precision;
+  constexpr contract::Interface kUnit = {.directions = contract::Directions::kUnit};
   properties::Case one;
   one.scene.rays = {{{}, {0.6, 0, 0.8}}, {{}, {0x1p900, 0x1p900, 0}}, {{}, {0x1p-1074, 0, 0}}};
   one.scene.spheres = {{{3, 0, 0}, 1}};
   for (const Precision precision : {Precision::kDouble, Precision::kSingle}) {
-    const auto rounded = properties::rounded_case(one, {precision, properties::kUnitDirections});
+    const auto rounded = properties::rounded_case(one, {precision, kUnit});
     EXPECT_EQ(rounded.made_unit, 2u);
     ASSERT_TRUE(rounded.the_case);
     EXPECT_EQ(rounded.the_case->scene.rays[2].direction.x, 1);
-    EXPECT_TRUE(properties::is_of_format(rounded.the_case->scene,
-                                         {precision, properties::kUnitDirections}));
-    EXPECT_EQ(properties::rounded_case(*rounded.the_case, {precision, properties::kUnitDirections})
-                  .made_unit,
-              0u);
+    EXPECT_TRUE(properties::is_of_format(rounded.the_case->scene, {precision, kUnit}));
+    EXPECT_EQ(properties::rounded_case(*rounded.the_case, {precision, kUnit}).made_unit, 0u);
   }
-  EXPECT_FALSE(
-      properties::is_of_format(one.scene, {Precision::kDouble, properties::kUnitDirections}));
+  EXPECT_FALSE(properties::is_of_format(one.scene, {Precision::kDouble, kUnit}));
   EXPECT_TRUE(properties::is_of_format(one.scene, Precision::kDouble));
 }
 
