@@ -134,6 +134,75 @@ TEST(Interfaces, of_segments_have_ends_that_are_doubles) {
   EXPECT_EQ(passed(exact, segments).direction, (scene::Vector3{1.5, 0, 3}));
 }
 
+/// A ball that reaches the x axis only if its diameter is taken for its radius.
+TEST(Interfaces, are_declared_in_every_language) {
+  const std::string folder = temporary_folder("languages");
+  const auto file = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder + "/" + name) << text;
+    return folder + "/" + name;
+  };
+  for (const char* name : {"raycheck_candidate.mjs", "RaycheckCandidate.java"}) {
+    std::filesystem::copy_file(RAYCHECK_SOURCE_DIR "/tools/external/adapters/" + std::string(name),
+                               folder + "/" + name);
+  }
+  const std::string scene = file("balls.toml",
+                                 "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+                                 "[[sphere]]\ncentre = [5, 0, 0]\nradius = 2\n"
+                                 "[[sphere]]\ncentre = [5, 3.5, 0]\nradius = 2\n");
+  std::vector<std::string> candidates = {
+      "source:" + file("it.c",
+                       "#include <raycheck/candidate.h>\n"
+                       "static raycheck_hit meets(const raycheck_ray* ray, const raycheck_sphere* "
+                       "ball,\n    const raycheck_conventions* asked) {\n"
+                       "  raycheck_hit hit = {2 * ball->centre.y <= ball->radius};\n"
+                       "  (void)ray, (void)asked;\n  return hit;\n}\n"
+                       "const raycheck_candidate* raycheck_candidate_functions(void) {\n"
+                       "  static raycheck_candidate it;\n"
+                       "  it.version = RAYCHECK_CANDIDATE_VERSION;\n  it.intersect = meets;\n"
+                       "  it.contract = \"spheres diameter; returns class\";\n"
+                       "  return &it;\n}\n"),
+      "source:" + file("it.cpp",
+                       "#include <raycheck/candidate.hpp>\nusing namespace raycheck;\n"
+                       "std::optional<Hit> meets(const Ray&, const Sphere& ball, const "
+                       "Conventions&) {\n"
+                       "  if (2 * ball.centre.y > ball.radius) return {};\n"
+                       "  return Hit{};\n}\n"
+                       "RAYCHECK_CANDIDATE(.intersect = meets,\n"
+                       "                   .contract = \"spheres diameter; returns class\")\n"),
+      "command:python3 " +
+          file("it.py",
+               "import raycheck_candidate as rc\nrc.run('it', spheres='diameter', "
+               "returns='class',\n"
+               "  intersect=lambda ray, ball, asked: 2 * ball[0][1] <= ball[1])\n")};
+  if (is_installed("node")) {
+    candidates.push_back(
+        "command:node " +
+        file("it.mjs",
+             "import { run } from './raycheck_candidate.mjs';\n"
+             "run('it', { spheres: 'diameter', returns: 'class',\n"
+             "  intersect: (ray, ball) => 2 * ball.centre[1] <= ball.radius });\n"));
+  }
+  if (is_installed("javac")) {
+    file("It.java",
+         "public class It extends RaycheckCandidate {\n"
+         "  @Override public java.util.List<String> declared() {\n"
+         "    return java.util.List.of(\"spheres diameter\", \"returns class\");\n  }\n"
+         "  @Override public Hit intersect(Ray ray, Sphere ball, Conventions asked) {\n"
+         "    return 2 * ball.centre().y() <= ball.radius() ? new Hit(0, ray.origin()) : null;\n"
+         "  }\n"
+         "  public static void main(String[] all) throws java.io.IOException {\n"
+         "    new It().run(\"it\");\n  }\n}\n");
+    const std::string words = "cd " + folder + " && javac RaycheckCandidate.java It.java";
+    ASSERT_EQ(std::system(words.c_str()), 0);
+    candidates.push_back("command:java -cp " + folder + " It");
+  }
+  for (const std::string& one : candidates) {
+    const json report = judged(scene, one);
+    EXPECT_EQ(report["discrepancies"], 0) << one << report.dump(2);
+    EXPECT_EQ(report["quantities"][0]["cases"], 2) << one << report.dump(2);
+  }
+}
+
 /// s = 1 is on the image plane: half of P - E is another direction, although of the same line.
 TEST(Interfaces, of_directions_to_the_image_plane_have_its_length) {
   const Called half = {"half",
