@@ -76,6 +76,12 @@ inline constexpr std::array<std::string_view, 3> kWindowsNames = {"any", "symmet
                                                                   "square-pixels"};
 constexpr auto& names_of(Windows /*of*/) { return kWindowsNames; }
 
+/// The spheres that a candidate accepts: all; one about the origin; the unit sphere about the
+/// origin, to whose frame its callers transform rays.
+enum class Placement { kAnywhere, kOrigin, kUnit };
+inline constexpr std::array<std::string_view, 3> kPlacementNames = {"anywhere", "origin", "unit"};
+constexpr auto& names_of(Placement /*of*/) { return kPlacementNames; }
+
 /// What comes with the eye of a camera: the point A that it looks at, or the view direction A - E.
 enum class View { kLookAt, kDirection };
 inline constexpr std::array<std::string_view, 2> kViewNames = {"look-at", "direction"};
@@ -86,6 +92,7 @@ struct Interface {
   Directions directions = Directions::kAny;
   RayForm rays = RayForm::kDirection;
   SphereSize spheres = SphereSize::kRadius;
+  Placement placement = Placement::kAnywhere;
   PixelOrder pixels = PixelOrder::kColumnRow;
   Windows windows = Windows::kAny;
   View view = View::kLookAt;
@@ -99,6 +106,8 @@ void for_each_choice(SomeInterface& interface, Visit visit) {
   visit("rays", interface.rays,
         "what comes with a ray's origin: a direction, or the point at s = 1");
   visit("spheres", interface.spheres, "the number that comes with a sphere's centre");
+  visit("placement", interface.placement,
+        "the spheres that it accepts: anywhere, about the origin, or only the unit sphere there");
   visit("pixels", interface.pixels, "the order of a pixel's two indices");
   visit("windows", interface.windows, "the windows of the cameras that it accepts");
   visit("view", interface.view,

@@ -74,6 +74,48 @@ double exact_pixel(double width, std::int64_t pixels, Precision precision) {
   return std::scalbn(std::nearbyint(std::scalbn(width, scale)), -scale);
 }
 
+/// Moves and scales the scene so that its first sphere is one that the format accepts, and removes
+/// the others. Returns whether it changed anything.
+bool fit_spheres(scene::Scene& scene, InputFormat format) {
+  if (format.placement == contract::Placement::kAnywhere || scene.spheres.empty()) return false;
+  const auto [centre, radius] = scene.spheres.front();
+  const bool unit = format.placement == contract::Placement::kUnit;
+  const scene::Sphere placed = {{}, unit ? 1 : radius};
+  if (scene.spheres == std::vector{placed}) return false;
+  const double length = unit ? radius : 1;
+  const auto along = [&](auto& triple, const auto& from) {
+    triple = {(triple.x - from.x) / length, (triple.y - from.y) / length,
+              (triple.z - from.z) / length};
+  };
+  scene.spheres = {placed};
+  for (scene::Ray& ray : scene.rays) {
+    along(ray.origin, centre);
+    along(ray.direction, scene::Vector3{});
+  }
+  if (scene.camera) {
+    scene::Camera& camera = *scene.camera;
+    along(camera.eye, centre);
+    along(camera.look_at, centre);
+    for (double* one : {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
+      *one /= length;
+    }
+  }
+  return true;
+}
+
+/// What the candidate accepts.
+std::string accepted(contract::Placement placement) {
+  return placement == contract::Placement::kUnit
+             ? "the unit sphere about the origin (placement unit)"
+             : "one sphere, about the origin (placement origin)";
+}
+std::string accepted(contract::Windows windows) {
+  return windows == contract::Windows::kSymmetric
+             ? "symmetric windows: left = -right < 0, bottom = -top < 0, near < 0"
+             : "symmetric windows with square pixels: left = -right < 0, bottom = -top < 0, "
+               "right / top = width / height, near < 0";
+}
+
 /// Replaces a window that the format does not accept, and returns whether it did.
 bool fit_window(scene::Camera& camera, InputFormat format) {
   using contract::Windows;
@@ -121,6 +163,7 @@ scene::Ray with_unit_direction(scene::Ray ray, Precision precision) {
 RoundedCase rounded_case(Case the_case, InputFormat format) {
   const Precision precision = format.precision;
   RoundedCase result;
+  if (fit_spheres(the_case.scene, format)) result.replaced = accepted(format.placement);
   if (format.unit_directions) {
     for (scene::Ray& ray : the_case.scene.rays) {
       if (is_unit(ray.direction, precision)) continue;
@@ -156,9 +199,11 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
     if (the_case.scene.camera) the_case.scene.camera->far.reset();
     if (!result.reason.empty()) return result;
   }
-  result.other_window = the_case.scene.camera && fit_window(*the_case.scene.camera, format);
+  if (the_case.scene.camera && fit_window(*the_case.scene.camera, format)) {
+    result.replaced = accepted(format.windows);
+  }
   const bool moved = the_case.scene.camera && fit_view(*the_case.scene.camera, format);
-  if (precision == Precision::kSingle || result.other_window || moved) {
+  if (precision == Precision::kSingle || !result.replaced.empty() || moved) {
     const auto defects = scene::defects(the_case.scene);
     if (!defects.empty()) {
       result.reason = result.changed > 0 ? "rounded to floats: " : "as the candidate accepts it: ";
@@ -184,13 +229,9 @@ scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
 
 RoundedCase rounded_scene(scene::Scene scene, InputFormat format) {
   RoundedCase rounded = rounded_case({std::move(scene), {}}, format);
-  if (!rounded.other_window) return rounded;
+  if (rounded.replaced.empty()) return rounded;
   rounded.the_case.reset();
-  rounded.reason = "the candidate accepts only windows that are " +
-                   std::string(format.windows == contract::Windows::kSymmetric
-                                   ? "symmetric: left = -right < 0, bottom = -top < 0, near < 0"
-                                   : "symmetric with square pixels: left = -right < 0, bottom = "
-                                     "-top < 0, right / top = width / height, near < 0");
+  rounded.reason = "the candidate accepts only " + rounded.replaced;
   return rounded;
 }
 
@@ -208,8 +249,9 @@ bool is_of_format(const scene::Scene& scene, InputFormat format) {
     scene::Camera camera = *scene.camera;
     all = all && !fit_window(camera, format) && !fit_view(camera, format);
   }
-  if (precision == Precision::kDouble) return all;
   scene::Scene copy = scene;
+  all = all && !fit_spheres(copy, format);
+  if (precision == Precision::kDouble || !all) return all;
   const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };
   for_each_number(copy, look);
   look(scene.conventions.valid.t_min);

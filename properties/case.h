@@ -33,40 +33,44 @@ using contract::name;
 
 /// The inputs that a candidate accepts: numbers of a format and, if it needs unit directions, only
 /// rays with directions of length 1 up to rounding; if it is given segments, only rays whose point
-/// at s = 1 is of the format, too; cameras with these windows and, if it is given view directions,
-/// only cameras for which A - E is of the format.
+/// at s = 1 is of the format, too; spheres with this placement; cameras with these windows and, if
+/// it is given view directions, only cameras for which A - E is of the format.
 struct InputFormat {
   constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
                         const contract::Interface& interface = {})
       : precision(its_precision),
         unit_directions(interface.directions == contract::Directions::kUnit),
         segments(interface.rays == contract::RayForm::kEnd),
+        placement(interface.placement),
         windows(interface.windows),
         view_directions(interface.view == contract::View::kDirection) {
     if (segments) unit_directions = false;  // the direction follows from the ends
   }
   scene::Precision precision;
   bool unit_directions, segments;
+  contract::Placement placement;
   contract::Windows windows;
   bool view_directions;
   bool operator==(const InputFormat&) const = default;
 };
 inline constexpr auto kInputFormats = [] {
-  using contract::Directions, contract::RayForm, contract::View, contract::Windows;
-  std::array<InputFormat, 36> all;
-  std::size_t count = 0;
-  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
-    for (const auto windows : {Windows::kAny, Windows::kSymmetric, Windows::kSquarePixels}) {
-      for (const auto view : {View::kLookAt, View::kDirection}) {
-        for (const auto& [directions, rays] : {std::pair(Directions::kAny, RayForm::kDirection),
-                                               {Directions::kUnit, RayForm::kDirection},
-                                               {Directions::kAny, RayForm::kEnd}}) {
-          all[count++] = {
-              precision,
-              {.directions = directions, .rays = rays, .windows = windows, .view = view}};
-        }
-      }
-    }
+  using contract::Directions, contract::RayForm;
+  std::array<InputFormat, std::size_t{2} * 3 * 3 * 3 * 2> all;
+  for (std::size_t index = 0; index < all.size(); ++index) {
+    std::size_t left = index;
+    const auto next = [&left](std::size_t values) {
+      const std::size_t value = left % values;
+      left /= values;
+      return value;
+    };
+    const auto precision = static_cast<scene::Precision>(next(2));
+    const std::size_t rays = next(3);
+    all[index] = {precision,
+                  {.directions = rays == 1 ? Directions::kUnit : Directions::kAny,
+                   .rays = rays == 2 ? RayForm::kEnd : RayForm::kDirection,
+                   .placement = static_cast<contract::Placement>(next(3)),
+                   .windows = static_cast<contract::Windows>(next(3)),
+                   .view = static_cast<contract::View>(next(2))}};
   }
   return all;
 }();
@@ -82,7 +86,9 @@ struct RoundedCase {
   std::string reason;            ///< Why the case is left out.
   std::size_t changed = 0;       ///< The count of numbers that were rounded.
   std::size_t made_unit = 0;     ///< The count of given directions that were normalised.
-  bool other_window = false;     ///< Whether the camera's window was replaced by an accepted one.
+  /// What was replaced because the candidate does not accept it: the camera's window, or spheres;
+  /// as what it accepts.
+  std::string replaced = {};
 };
 
 /// Normalises given directions if the format needs that, then rounds every number of the scene to
@@ -92,7 +98,7 @@ struct RoundedCase {
 /// or 0), or if the rounded scene is invalid.
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
-/// The same for a scene that a user gives: it is left out if its window would be replaced.
+/// The same for a scene that a user gives: it is left out if something would be replaced.
 RoundedCase rounded_scene(scene::Scene scene, InputFormat format);
 
 /// The ray with a direction of length 1, up to rounding.

@@ -88,6 +88,11 @@ scene::Ray passed(const scene::Ray& ray, const Interface& interface) {
 }
 
 scene::Sphere passed(const scene::Sphere& sphere, const Interface& interface) {
+  const bool is_placed =
+      interface.placement == contract::Placement::kAnywhere ||
+      (sphere.centre == scene::Point3{} &&
+       (interface.placement == contract::Placement::kOrigin || sphere.radius == 1));
+  if (!is_placed) throw CannotBeSaid("the sphere is not placed as the candidate accepts it");
   const bool by_diameter = interface.spheres == contract::SphereSize::kDiameter;
   return {sphere.centre, by_diameter ? 2 * sphere.radius : sphere.radius};
 }

@@ -11,7 +11,7 @@ namespace raycheck::properties {
 /// The inputs as a candidate of an interface is given them: a segment's end in place of the
 /// direction, a diameter in place of the radius, a pixel's row in place of its column, the view
 /// direction in place of `look_at`. Errors: CannotBeSaid if the end of a segment or a view
-/// direction is not a double (rounded_case() avoids that).
+/// direction is not a double, or a sphere is not accepted (rounded_case() avoids that).
 scene::Ray passed(const scene::Ray& ray, const contract::Interface& interface);
 scene::Sphere passed(const scene::Sphere& sphere, const contract::Interface& interface);
 scene::Pixel passed(const scene::Pixel& pixel, const contract::Interface& interface);

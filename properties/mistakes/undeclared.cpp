@@ -60,9 +60,9 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
   if (!candidate.by_interface) return all;
   contract::for_each_choice(candidate.interface, [&](const char* name, auto& declared_value, auto) {
     using Value = std::remove_cvref_t<decltype(declared_value)>;
-    // What it returns, and the directions and windows that it accepts, have other sentences.
+    // What it returns, and the inputs that it accepts, have other sentences.
     if (std::is_same_v<Value, Returns> || std::is_same_v<Value, contract::Directions> ||
-        std::is_same_v<Value, contract::Windows>) {
+        std::is_same_v<Value, contract::Windows> || std::is_same_v<Value, contract::Placement>) {
       return;
     }
     const Value other{declared_value == Value{0} ? 1 : 0};

@@ -26,6 +26,14 @@ const std::vector<Called> kCalled = {
      "Ray to_plane(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
      "  return {camera.eye, out(sight(camera, asked, pixel))};\n}\n",
      ".focal_ray = to_plane"},
+    {"about", "placement origin", "class", "the centre is left out",
+     "std::optional<Hit> about(const Ray& ray, const Sphere& ball, const Conventions& asked) {\n"
+     "  return intersect(ray, {{}, ball.radius}, asked);\n}\n",
+     ".intersect = about"},
+    {"unit", "placement unit", "class", "",
+     "std::optional<Hit> unit(const Ray& ray, const Sphere&, const Conventions& asked) {\n"
+     "  return intersect(ray, {{}, 1}, asked);\n}\n",
+     ".intersect = unit"},
     {"along", "view direction", "direction", "right under view = direction",
      "Ray along(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
      "  Camera it = camera;\n"
@@ -226,7 +234,7 @@ TEST(Interfaces, of_fields_of_view_have_windows_that_follow_from_them) {
       scene.camera = {{}, {0, 0, -1}, {0, 1, 0}, 0.7, {}, -0.3, 0.1, -0.2, 0.9, 641, 479};
       EXPECT_FALSE(properties::is_of_format(scene, format));
       const auto rounded = properties::rounded_case({scene, {{1, 2}}}, format);
-      ASSERT_TRUE(rounded.the_case && rounded.other_window);
+      ASSERT_TRUE(rounded.the_case && has(rounded.replaced, "symmetric windows"));
       const scene::Camera camera = *rounded.the_case->scene.camera;
       EXPECT_TRUE(properties::is_of_format(rounded.the_case->scene, format));
       EXPECT_TRUE(camera.near < 0 && camera.left < 0 && camera.bottom < 0);
@@ -236,7 +244,7 @@ TEST(Interfaces, of_fields_of_view_have_windows_that_follow_from_them) {
         EXPECT_EQ(camera.right * 479, camera.top * 641);
       }
       // A scene that a user gives is not replaced.
-      EXPECT_TRUE(has(properties::rounded_scene(scene, format).reason, "accepts only windows"));
+      EXPECT_TRUE(has(properties::rounded_scene(scene, format).reason, "accepts only symmetric"));
     }
   }
 }
