@@ -87,6 +87,12 @@ enum class View { kLookAt, kDirection };
 inline constexpr std::array<std::string_view, 2> kViewNames = {"look-at", "direction"};
 constexpr auto& names_of(View /*of*/) { return kViewNames; }
 
+/// The hit of a ray that starts inside a sphere: a root that counts; the start of the ray, at s =
+/// 0, as the ball is solid; or the near root, v - d, although it is negative.
+enum class FromInside { kRoot, kStart, kNearRoot };
+inline constexpr std::array<std::string_view, 3> kFromInsideNames = {"root", "start", "near-root"};
+constexpr auto& names_of(FromInside /*of*/) { return kFromInsideNames; }
+
 /// How a candidate is called, and what it returns.
 struct Interface {
   Directions directions = Directions::kAny;
@@ -98,6 +104,7 @@ struct Interface {
   View view = View::kLookAt;
   MadeLength made = MadeLength::kUnit;
   Returns returns = Returns::kHit;
+  FromInside from_inside = FromInside::kRoot;
   bool operator==(const Interface&) const = default;
 };
 template <scene::Either<Interface> SomeInterface, class Visit>
@@ -115,6 +122,8 @@ void for_each_choice(SomeInterface& interface, Visit visit) {
   visit("made_directions", interface.made,
         "the length of the directions of the rays that it makes");
   visit("returns", interface.returns, "what it returns for a hit");
+  visit("from_inside", interface.from_inside,
+        "the hit of a ray that starts inside: a root that counts, its start, or v - d");
 }
 
 /// Which roots count, as public structs declare it: every one >= 0, those declared beside it, or

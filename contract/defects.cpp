@@ -17,6 +17,11 @@ std::vector<scene::Defect> defects(const Declarations& declared) {
       declared.interface.directions == Directions::kUnit) {
     found.push_back({"rays", "end", "cannot be combined with directions unit"});
   }
+  const auto& valid = declared.conventions.valid;
+  if (declared.interface.from_inside != FromInside::kRoot && (!valid || valid->t_min > 0)) {
+    found.push_back({"from_inside", std::string(name(declared.interface.from_inside)),
+                     "cannot be combined with roots as-asked or with t_min above 0"});
+  }
   return found;
 }
 

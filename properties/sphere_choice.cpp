@@ -51,6 +51,18 @@ void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected
       });
 }
 
+namespace {
+
+/// Whether the ray starts inside a sphere, where its hit is not a root that counts.
+bool starts_inside_some(Trial& trial, std::size_t ray) {
+  return trial.candidate().interface.from_inside != contract::FromInside::kRoot &&
+         std::ranges::any_of(trial.scene().spheres, [&](const scene::Sphere& sphere) {
+           return starts_inside(trial.exact_ray(ray), sphere);
+         });
+}
+
+}  // namespace
+
 SpheresMet spheres_met(Trial& trial) {
   SpheresMet met{std::vector<std::uint32_t>(trial.ray_count()),
                  std::vector<bool>(trial.ray_count())};
@@ -61,6 +73,10 @@ SpheresMet spheres_met(Trial& trial) {
       if (is_unjudged(at, tangent)) met.is_unjudged[meeting.ray] = true;
       if (counts_as_hit(at.hit_class, tangent)) ++met.count[meeting.ray];
     }
+  }
+  for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
+    if (!starts_inside_some(trial, ray)) continue;
+    met.is_unjudged[ray] = met.some_start_inside = true;
   }
   return met;
 }
@@ -75,7 +91,9 @@ Standing standing_of(Trial& trial, std::size_t ray, Index got) {
         return is_unjudged(trial.exact_ray(ray).intersect(sphere, conventions),
                            conventions.tangent);
       });
-  if (!trial.inside_domain() || may_be_unjudged) return Standing::kNotJudged;
+  if (!trial.inside_domain() || may_be_unjudged || starts_inside_some(trial, ray)) {
+    return Standing::kNotJudged;
+  }
   return excuse(trial, ray, got, trial.excused_change()).standing();
 }
 
@@ -94,7 +112,7 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
     }
     if (errors[ray].wrong != Wrong::kNot) {
       errors[ray].standing = standing_of(trial, ray, got);
-    } else if (got) {
+    } else if (got && !starts_inside_some(trial, ray)) {
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
       if (hit == nullptr)
         throw CandidateFailed("the candidate misses the sphere that it names as nearest");

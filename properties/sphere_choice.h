@@ -38,7 +38,10 @@ void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected
 /// The number of spheres that each ray of a case meets.
 struct SpheresMet {
   std::vector<std::uint32_t> count;  ///< The number of spheres that each ray meets.
-  std::vector<bool> is_unjudged;  ///< By ray: whether it is a tangent, and tangents are not judged.
+  /// By ray: whether it is a tangent, and tangents are not judged; or whether it starts inside a
+  /// sphere, and the candidate declares that its hit is not a root that counts.
+  std::vector<bool> is_unjudged;
+  bool some_start_inside = false;  ///< Whether a ray is not judged for the second reason.
 
   Expected expected(std::size_t ray) const {
     return count[ray] == 0   ? Expected::kNoSphere

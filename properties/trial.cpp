@@ -72,17 +72,17 @@ namespace {
 /// Whether the hit class of an answer, or its root if it has one, differs from the exact one.
 bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
               const Promises& promises) {
-  const reference::Intersection at = answer.ray.intersect(answer.sphere, conventions);
+  const reference::Intersection at =
+      exact_intersection(answer.ray, answer.sphere, conventions, promises.interface.from_inside);
   const bool is_hit = reference::counts_as_hit(at.hit_class, conventions.tangent);
   if (is_hit != answer.s.has_value()) return true;
   return is_hit && promises.interface.returns != Returns::kClass &&
-         (reference::is_at_other_root(answer.ray, answer.sphere, at, *answer.s) ||
-          is_excluded(answer, at, conventions, promises));
+         (is_at_other_root(answer, at, promises) || is_excluded(answer, at, conventions, promises));
 }
 
-/// Whether an answer is right for nearby inputs.
-reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbourhood& around,
-                               Returns returns) {
+/// Whether an answer is right for nearby inputs if every hit is at a root that counts.
+reference::NearbyAnswer nearby_root(const RayAnswer& answer, const reference::Neighbourhood& around,
+                                    Returns returns) {
   using reference::FirstMet;
   if (returns != Returns::kClass) {
     return right_nearby(answer.ray, answer.sphere, around, answer.s);
@@ -91,7 +91,51 @@ reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbo
   return right_nearby(answer.ray, {&answer.sphere, 1}, around, claim);
 }
 
+/// Whether an answer is right for nearby inputs.
+reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbourhood& around,
+                               const contract::Interface& interface) {
+  using reference::Nearby, reference::NearbyAnswer;
+  NearbyAnswer by_root = nearby_root(answer, around, interface.returns);
+  if (interface.from_inside == contract::FromInside::kRoot) return by_root;
+  const bool is_inside = starts_inside(answer.ray, answer.sphere);
+  const bool may_claim_inside =
+      answer.s && (interface.returns == Returns::kClass || !(*answer.s > 0));
+  if (!is_inside && !may_claim_inside) return by_root;
+  // A ray that starts on the sphere, up to roundings, may start inside or outside.
+  NearbyAnswer on_sphere =
+      right_nearby(answer.ray, answer.sphere, {.relative_change = around.relative_change}, 0.0);
+  const auto rank = [](const NearbyAnswer& one) {
+    return one.found == Nearby::kWitness ? 2 : one.found == Nearby::kUndecided ? 1 : 0;
+  };
+  // From inside, an answer from outside is right only if the ray may start outside.
+  const bool takes_root = is_inside == (rank(by_root) < rank(on_sphere));
+  return takes_root ? by_root : on_sphere;
+}
+
 }  // namespace
+
+bool is_at_start(const reference::ExactRay& ray, const scene::Sphere& sphere,
+                 const Promises& promises) {
+  return promises.interface.from_inside == contract::FromInside::kStart &&
+         starts_inside(ray, sphere);
+}
+
+double rounded_s(const reference::ExactRay& ray, const scene::Sphere& sphere,
+                 const reference::Intersection& at, const Promises& promises) {
+  return is_at_start(ray, sphere, promises) ? 0
+                                            : ray.rounded_parameter(sphere, at, promises.precision);
+}
+
+bool is_at_other_root(const RayAnswer& hit, const reference::Intersection& at,
+                      const Promises& promises) {
+  const auto& [ray, sphere, s] = hit;
+  // The projection of a returned point has roundings.
+  if (is_at_start(ray, sphere, promises) && gives_parameter(promises.interface.returns)) {
+    return *s != 0;
+  }
+  return reference::is_at_other_root(ray, sphere, at, *s) &&
+         *s != rounded_s(ray, sphere, at, promises);
+}
 
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, const Promises& promises) {
@@ -99,6 +143,8 @@ bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                         promises.interface.returns == Returns::kParameter;
   if (conventions.valid.is_usual() || !compares) return false;
   if (!answer.s || !std::isfinite(*answer.s)) return false;
+  const bool may_be_inside = promises.interface.from_inside != contract::FromInside::kRoot;
+  if (may_be_inside && *answer.s <= 0) return false;
   if (!reference::is_outside(conventions.valid, answer.ray, answer.sphere, *answer.s)) return false;
   return !reference::counts_as_hit(at.hit_class, conventions.tangent) ||
          *answer.s != answer.ray.rounded_parameter(answer.sphere, at, promises.precision);
@@ -124,7 +170,10 @@ Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions opti
     throw std::invalid_argument("the scene has a number that is not representable as " +
                                 std::string(name(candidate.precision)));
   }
-  if (!options_.truth) options_.truth = std::make_shared<Truth>(the_case, conventions());
+  if (!options_.truth) {
+    options_.truth =
+        std::make_shared<Truth>(the_case, conventions(), nullptr, candidate.interface.from_inside);
+  }
 }
 
 Place Trial::place(std::size_t ray, std::optional<std::size_t> sphere) const {
@@ -236,8 +285,7 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
     if (!is_wrong(answer, conventions(), candidate())) continue;
     const reference::Neighbourhood around = neighbourhood(
         excused_change() * plain_growth(plain_change(candidate(), answer.ray, answer.sphere)));
-    Excuse one =
-        excuse_of(nearby(answer, around, candidate().interface.returns), around.relative_change);
+    Excuse one = excuse_of(nearby(answer, around, candidate().interface), around.relative_change);
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;
   }

@@ -104,6 +104,18 @@ constexpr double plain_growth(double plain_change) {
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, const Promises& promises);
 
+/// Whether the exact hit of a ray is its start, at s = 0 (FromInside::kStart).
+bool is_at_start(const reference::ExactRay& ray, const scene::Sphere& sphere,
+                 const Promises& promises);
+/// The exact s of a hit, correctly rounded to the candidate's format; 0 at the start of the ray.
+double rounded_s(const reference::ExactRay& ray, const scene::Sphere& sphere,
+                 const reference::Intersection& at, const Promises& promises);
+/// Whether a hit is at the other root (reference::is_at_other_root) than the exact hit `at`, and is
+/// not the correctly rounded one: roots may be closer to each other than numbers of the format. If
+/// the exact hit is the start of the ray: whether s, as the candidate returned it, is not 0.
+bool is_at_other_root(const RayAnswer& hit, const reference::Intersection& at,
+                      const Promises& promises);
+
 /// An error that a law measures. Its bound is in units of the candidate's format.
 struct MeasuredError {
   Quantity quantity;

@@ -7,11 +7,27 @@
 
 namespace raycheck::properties {
 
+bool starts_inside(const reference::ExactRay& ray, const scene::Sphere& sphere) {
+  const reference::Intersection at = ray.intersect(sphere);
+  return at.hit_class != reference::HitClass::kMiss && at.root == reference::WhichRoot::kLarger;
+}
+
+reference::Intersection exact_intersection(const reference::ExactRay& ray,
+                                           const scene::Sphere& sphere,
+                                           const scene::Conventions& conventions,
+                                           contract::FromInside from_inside) {
+  if (from_inside != contract::FromInside::kRoot && starts_inside(ray, sphere)) {
+    return {reference::HitClass::kHit, reference::WhichRoot::kSmaller};
+  }
+  return ray.intersect(sphere, conventions);
+}
+
 Truth::Truth(const Case& the_case, const scene::Conventions& conventions,
-             const scene::ScenePlan* plan)
+             const scene::ScenePlan* plan, contract::FromInside from_inside)
     : case_(the_case),
       conventions_(conventions),
       plan_(plan),
+      from_inside_(from_inside),
       rays_(count_rays(the_case)),
       meetings_(the_case.scene.spheres.size()) {}
 
@@ -45,7 +61,8 @@ std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
     std::vector<Meeting> found;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       if (!may_meet(k, sphere)) continue;
-      const auto at = ray(k).intersect(case_.scene.spheres[sphere], conventions_);
+      const auto at =
+          exact_intersection(ray(k), case_.scene.spheres[sphere], conventions_, from_inside_);
       if (at.hit_class != reference::HitClass::kMiss) found.push_back({k, at});
     }
     kept = std::move(found);
@@ -94,15 +111,16 @@ const std::vector<std::optional<reference::NearestSphere>>& Truth::nearest() {
   return *nearest_;
 }
 
-std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions) {
+std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions,
+                                           contract::FromInside from_inside) {
   for (const auto& truth : truths_) {
-    if (truth->conventions() == conventions) return truth;
+    if (truth->conventions() == conventions && truth->from_inside() == from_inside) return truth;
   }
   const auto plan = std::find_if(plans_.begin(), plans_.end(), [&](const scene::ScenePlan& one) {
-    return one.conventions == planned(conventions);
+    return one.conventions == planned(conventions) && from_inside == contract::FromInside::kRoot;
   });
-  truths_.push_back(
-      std::make_shared<Truth>(case_, conventions, plan == plans_.end() ? nullptr : &*plan));
+  truths_.push_back(std::make_shared<Truth>(case_, conventions,
+                                            plan == plans_.end() ? nullptr : &*plan, from_inside));
   return truths_.back();
 }
 

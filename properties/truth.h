@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "contract/declarations.h"
 #include "properties/case.h"
 #include "reference/exact_camera.h"
 #include "reference/exact_ray.h"
@@ -23,6 +24,17 @@ auto* find_ray(List& list, std::size_t ray) {
   return at == list.end() || at->ray != ray ? nullptr : &*at;
 }
 
+/// Whether a ray starts inside a sphere, or on it and leaves it.
+bool starts_inside(const reference::ExactRay& ray, const scene::Sphere& sphere);
+
+/// How a ray and a sphere meet under the conventions. A ray that starts inside has a hit at the
+/// near root, unless its hit is a root that counts; with FromInside::kStart, s is 0 in place of
+/// this root (trial.h: rounded_s).
+reference::Intersection exact_intersection(const reference::ExactRay& ray,
+                                           const scene::Sphere& sphere,
+                                           const scene::Conventions& conventions,
+                                           contract::FromInside from_inside);
+
 /// A hit or tangent of a ray of a case with a sphere.
 struct Meeting {
   std::size_t ray = 0;
@@ -31,15 +43,18 @@ struct Meeting {
 };
 
 /// The truth about a case under some conventions. Each part is computed on demand and kept. It does
-/// not depend on a candidate; candidates that are judged under the same conventions share it. With
-/// a plan of the case's scene under these conventions, each sphere is intersected only with the
-/// rays of pixels in its rectangle. Laws that judge plans use a truth without a plan.
+/// not depend on a candidate; candidates that are judged under the same conventions, and have the
+/// same hits from inside, share it. With a plan of the case's scene under these conventions, each
+/// sphere is intersected only with the rays of pixels in its rectangle. Laws that judge plans use a
+/// truth without a plan.
 class Truth {
  public:
   Truth(const Case& the_case, const scene::Conventions& conventions,
-        const scene::ScenePlan* plan = nullptr);
+        const scene::ScenePlan* plan = nullptr,
+        contract::FromInside from_inside = contract::FromInside::kRoot);
 
   const scene::Conventions& conventions() const { return conventions_; }
+  contract::FromInside from_inside() const { return from_inside_; }
   const reference::ExactCamera& camera();
   /// Enclosures of the camera's axes, narrow enough for positions in its image plane.
   const reference::EnclosedFrame& frame();
@@ -60,6 +75,7 @@ class Truth {
   const Case& case_;
   scene::Conventions conventions_;
   const scene::ScenePlan* plan_;
+  contract::FromInside from_inside_;
   std::optional<reference::ExactCamera> camera_;
   std::optional<reference::EnclosedFrame> frame_;
   std::vector<std::optional<reference::ExactRay>> rays_;
@@ -75,12 +91,13 @@ inline scene::Conventions planned(scene::Conventions conventions) {
 }
 
 /// The truths about one case, one for each set of conventions under which candidates are judged.
-/// Each uses the plan for its conventions, if there is one.
+/// Each uses the plan for its conventions, if there is one and rays from inside hit at roots.
 class SharedTruths {
  public:
   explicit SharedTruths(const Case& the_case, std::span<const scene::ScenePlan> plans = {})
       : case_(the_case), plans_(plans) {}
-  std::shared_ptr<Truth> under(const scene::Conventions& conventions);
+  std::shared_ptr<Truth> under(const scene::Conventions& conventions,
+                               contract::FromInside from_inside = contract::FromInside::kRoot);
 
  private:
   const Case& case_;

@@ -35,13 +35,12 @@ struct Encounter {
         exact(at) {}
 
   Place place() const { return trial.place(ray_at, sphere_at); }
-  /// s, correctly rounded.
-  double rounded_s() const { return ray.rounded_parameter(sphere, *exact, trial.precision()); }
+  /// Whether the exact hit is the start of the ray.
+  bool is_at_start() const {
+    return exact != nullptr && properties::is_at_start(ray, sphere, trial.candidate());
+  }
   bool is_at_other_root() const {
-    const double s = answer->parameter;
-    // Roots may be closer to each other than numbers of the format; the correctly rounded one is
-    // never wrong.
-    return reference::is_at_other_root(ray, sphere, *exact, s) && s != rounded_s();
+    return properties::is_at_other_root(answer_of(ray, sphere, answer), *exact, trial.candidate());
   }
   /// Whether the candidate reports a hit outside the interval by which it is judged.
   bool is_excluded() const {
@@ -54,10 +53,11 @@ struct Encounter {
     if (answer != nullptr) d.got = {answer->parameter};
     d.got_some_sphere = answer != nullptr && trial.candidate().interface.returns == Returns::kClass;
     if (is_excluded()) d.excluded_by = trial.conventions().valid;
-    if (exact != nullptr) d.exact = {rounded_s()};
+    if (exact != nullptr) d.exact = {rounded_s(ray, sphere, *exact, trial.candidate())};
   }
   /// The backward error of the answer, for exactly the ray that was passed to the candidate.
   scene::Measured backward_error() const {
+    if (is_at_start()) return {};
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
@@ -123,7 +123,8 @@ void for_each_encounter(Trial& trial, Visit visit) {
   }
 }
 
-/// Calls visit(encounter) if both the candidate and the truth have a hit, at the same root.
+/// Calls visit(encounter) if both the candidate and the truth have a hit, at the same root or both
+/// at the start of the ray.
 template <class Visit>
 void for_each_common_hit(Trial& trial, Visit visit) {
   for_each_encounter(trial, [&](const Encounter& at) {
@@ -191,9 +192,12 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
     trial.measure(
         verdict,
         {Quantity::kParameter, at.place(),
-         reference::parameter_error(at.ray, at.sphere, *at.exact, at.answer->parameter,
-                                    trial.precision())},
-        [&] { return trial.condition_of_parameter(at.ray_at, at.sphere_at); },
+         at.is_at_start() ? scene::Measured{}
+                          : reference::parameter_error(at.ray, at.sphere, *at.exact,
+                                                       at.answer->parameter, trial.precision())},
+        [&] {
+          return at.is_at_start() ? 0 : trial.condition_of_parameter(at.ray_at, at.sphere_at);
+        },
         [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); },
         [&] { return at.plain_condition(); });
   });
@@ -249,8 +253,26 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
           [](const Enclosure3& along, const Enclosure&) { return norm(along); }, {});
 }
 
+/// Judges Q, which must be the origin of the ray as the candidate got it.
+void judge_start(Trial& trial, Verdict& verdict, const Encounter& at) {
+  const scene::Point3& origin = trial.rays()[at.ray_at].origin;
+  const Enclosure3 exact = reference::enclose_exactly(origin);
+  const Enclosure off = norm(reference::enclose_exactly(at.answer->point) - exact);
+  const Enclosure size = norm(exact) + norm(reference::enclose_exactly(at.sphere.centre));
+  trial.measure(
+      verdict,
+      {Quantity::kHitPoint, at.place(),
+       reference::in_units_of_u(off / (size + Enclosure(at.sphere.radius, 256)))},
+      [] { return 1; },
+      [&](Discrepancy& d) {
+        d.got = numbers(at.answer->point);
+        d.exact = numbers(origin);
+      });
+}
+
 void judge_hit_point(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
+    if (at.is_at_start()) return judge_start(trial, verdict, at);
     trial.measure(
         verdict,
         {Quantity::kHitPoint, at.place(),
@@ -342,11 +364,15 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
       if (pixel_hit == nullptr) continue;  // the class law judges this
       const ExactRay pixel_ray(pixel_camera, trial.pixels()[k]);
       const ExactRay eye_ray(eye_camera, trial.pixels()[k]);
-      const Intersection at = eye_ray.intersect(the_sphere, from_eye.root);
+      const auto met_by = [&](const ExactRay& ray) {
+        return exact_intersection(ray, the_sphere, from_eye, candidate.interface.from_inside);
+      };
+      const Intersection at = met_by(eye_ray);
       // The exact root or hit class from the pixel differs, because the sphere reaches behind the
-      // pixel.
-      if (at.hit_class != reference::HitClass::kHit ||
-          !(at == pixel_ray.intersect(the_sphere, from_pixel.root))) {
+      // pixel; or the hit is the start of a ray.
+      if (at.hit_class != reference::HitClass::kHit || !(at == met_by(pixel_ray)) ||
+          is_at_start(eye_ray, the_sphere, candidate) ||
+          is_at_start(pixel_ray, the_sphere, candidate)) {
         continue;
       }
       const Place place = trial.place(k, sphere);

@@ -39,7 +39,7 @@ struct PairAnswer {
   RayAnswer answer() const { return answer_of(trial.exact_ray(ray), sphere(), hit); }
   reference::Intersection exact() const { return trial.exact_intersection(ray, sphere_index); }
   bool is_at_other_root() const {
-    return reference::is_at_other_root(trial.exact_ray(ray), sphere(), exact(), hit->parameter);
+    return properties::is_at_other_root(answer(), exact(), trial.candidate());
   }
 };
 
@@ -89,8 +89,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
       d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
       if (hit != nullptr && !d.got_some_sphere) d.got = {hit->parameter};
       if (!is_hit) return;
-      const double s =
-          trial.exact_ray(first.ray).rounded_parameter(first.sphere(), at, trial.precision());
+      const double s = rounded_s(trial.exact_ray(first.ray), first.sphere(), at, trial.candidate());
       d.exact = {is_first_wrong ? s : s * by.factor};
     };
   };

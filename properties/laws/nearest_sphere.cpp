@@ -51,6 +51,9 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     judge_choice(trial, verdict, choice, met.expected(k),
                  [&] { return excuse(trial, k, choice.got, trial.excused_change()); });
   }
+  if (met.some_start_inside) {
+    verdict.leave_out("rays that start inside a sphere, where the hit is not a root that counts");
+  }
 }
 
 /// The distance of a hit from the eye.

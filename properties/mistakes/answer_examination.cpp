@@ -167,6 +167,29 @@ bool ends_are_close(const AskedCase& asked) {
   return false;
 }
 
+/// Leaves out the rays that start inside a sphere, or nearly so: mistakes and right formulas have
+/// hits at roots there.
+void leave_out_rays_from_inside(AskedCase& asked) {
+  constexpr double kNearly = 1.001;
+  const auto starts_inside_some = [&](const scene::Ray& ray) {
+    return scene::defects(ray).empty() &&
+           std::ranges::any_of(asked.the_case.scene.spheres, [&](const scene::Sphere& sphere) {
+             return starts_inside(reference::ExactRay(ray),
+                                  {sphere.centre, kNearly * sphere.radius});
+           });
+  };
+  for (std::size_t k = asked.rays.size(); k-- > 0;) {
+    if (!starts_inside_some(asked.rays[k])) continue;
+    const auto at = static_cast<std::ptrdiff_t>(k);
+    const auto drop = [at](auto& list) { list.erase(list.begin() + at); };
+    drop(asked.rays);
+    if (asked.the_case.scene.camera)
+      drop(asked.the_case.pixels);
+    else
+      drop(asked.the_case.scene.rays);
+  }
+}
+
 /// The case as asked; empty outside the candidate's domain, or if its format cannot hold the case.
 std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candidate,
                                     const Candidate& right) {
@@ -177,6 +200,10 @@ std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candi
   conventions = candidate.declared.over(conventions);
   asked.rays = Trial(asked.the_case, right).rays();
   for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
+  if (candidate.interface.from_inside != contract::FromInside::kRoot) {
+    leave_out_rays_from_inside(asked);
+    if (asked.rays.empty()) return {};
+  }
   return asked;
 }
 

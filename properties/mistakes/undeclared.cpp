@@ -58,6 +58,8 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
               -std::numeric_limits<double>::infinity());
   }
   if (!candidate.by_interface) return all;
+  contract::Declarations allowed;
+  allowed.conventions = declared;
   contract::for_each_choice(candidate.interface, [&](const char* name, auto& declared_value, auto) {
     using Value = std::remove_cvref_t<decltype(declared_value)>;
     // What it returns, and the inputs that it accepts, have other sentences.
@@ -65,14 +67,19 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
         std::is_same_v<Value, contract::Windows> || std::is_same_v<Value, contract::Placement>) {
       return;
     }
-    const Value other{declared_value == Value{0} ? 1 : 0};
-    Followed one{std::string(name) + " = " + std::string(scene::name(other)), {}};
-    contract::for_each_choice(one.interface.emplace(candidate.interface),
-                              [&](auto /*name*/, auto& value, auto) {
-                                if constexpr (std::is_same_v<decltype(value), Value&>)
-                                  value = other;
-                              });
-    all.push_back(std::move(one));
+    for (std::size_t k = 0; k < names_of(declared_value).size(); ++k) {
+      const auto other = static_cast<Value>(k);
+      Followed one{std::string(name) + " = " + std::string(scene::name(other)), {}};
+      contract::for_each_choice(one.interface.emplace(candidate.interface),
+                                [&](auto /*name*/, auto& value, auto) {
+                                  if constexpr (std::is_same_v<decltype(value), Value&>)
+                                    value = other;
+                                });
+      allowed.interface = *one.interface;
+      if (other != declared_value && contract::defects(allowed).empty()) {
+        all.push_back(std::move(one));
+      }
+    }
   });
   return all;
 }

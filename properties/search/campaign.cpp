@@ -113,9 +113,10 @@ class AskedCase {
       const auto& the_case = rounded.rounded.the_case;
       if (the_case && is_problem(*the_case, candidate.declared)) {
         const auto conventions = candidate.declared.over(the_case->scene.conventions);
-        trials_.emplace(
-            *the_case, candidate,
-            TrialOptions{.max_error = max_error, .truth = rounded.truths->under(conventions)});
+        trials_.emplace(*the_case, candidate,
+                        TrialOptions{.max_error = max_error,
+                                     .truth = rounded.truths->under(
+                                         conventions, candidate.interface.from_inside)});
       }
     }
     search.judge(seed_, rounded.rounded, trials_ ? &*trials_ : nullptr);

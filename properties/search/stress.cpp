@@ -83,7 +83,9 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
     }
     if (!is_problem(*asked, candidate.declared)) continue;
     const auto conventions = candidate.declared.over(asked->scene.conventions);
-    Trial trial(*asked, candidate, {.conditioning = true, .truth = truths->under(conventions)});
+    Trial trial(*asked, candidate,
+                {.conditioning = true,
+                 .truth = truths->under(conventions, candidate.interface.from_inside)});
     for (const Law* law : laws) {
       if (!what_is_missing(law->needs, trial).empty()) continue;
       Verdict verdict = apply(*law, trial);

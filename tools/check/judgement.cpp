@@ -52,7 +52,9 @@ ExcludedHits excluded_hits(properties::Trial& trial) {
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
       const reference::ExactRay& exact = trial.exact_ray(ray);
-      const reference::Intersection without = exact.intersect(spheres[k], conventions.root);
+      const reference::Intersection without =
+          properties::exact_intersection(exact, spheres[k], properties::planned(conventions),
+                                         trial.candidate().interface.from_inside);
       const reference::Intersection with = trial.exact_intersection(ray, k);
       const bool is_within = reference::counts_as_hit(with.hit_class, conventions.tangent);
       const bool is_usual = reference::counts_as_hit(without.hit_class, conventions.tangent);
@@ -193,10 +195,11 @@ void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& 
   const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
   properties::SharedTruths truths(chunk, plans_[index_of(format)]);
   ++report.search.batches;
-  ChunkVerdict found = judge_chunk(chunk, first, *searchers_[k],
-                                   {.max_error = max_error_,
-                                    .truth = truths.under(report.conventions),
-                                    .search = &report.search});
+  ChunkVerdict found = judge_chunk(
+      chunk, first, *searchers_[k],
+      {.max_error = max_error_,
+       .truth = truths.under(report.conventions, report.implementation.interface.from_inside),
+       .search = &report.search});
   if (found.has_failed()) failed = std::move(found);
 }
 
@@ -218,9 +221,10 @@ ChunkVerdicts Judgement::judge(std::uint64_t first) {
     properties::SharedTruths truths(chunk, plans_[index_of(format)]);
     for (std::size_t k = 0; k < drafts_.size(); ++k) {
       if (!is_asked(drafts_[k])) continue;
-      found[k] = judge_chunk(
-          chunk, first, candidates[k],
-          {.max_error = max_error_, .truth = truths.under(drafts_[k].report.conventions)});
+      found[k] = judge_chunk(chunk, first, candidates[k],
+                             {.max_error = max_error_,
+                              .truth = truths.under(drafts_[k].report.conventions,
+                                                    candidates[k].interface.from_inside)});
     }
   }
   return found;

@@ -235,8 +235,8 @@ void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& 
   const auto add = [&](const Candidate& candidate, const fast::IntersectMethod* own) {
     scene::poll();
     const auto conventions = candidate.declared.over(the_case.scene.conventions);
-    report.methods.push_back(
-        report_intersection(candidate, the_case, truths.under(conventions), own));
+    report.methods.push_back(report_intersection(
+        candidate, the_case, truths.under(conventions, candidate.interface.from_inside), own));
   };
   for (const auto* method : fast::intersect_methods()) {
     add(candidate_of(MethodPair{&rays, method}), method);

@@ -172,15 +172,18 @@ void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport&
     return;
   }
   report.parameter = hit->parameter;
-  const reference::Intersection at = exact.intersect(sphere, trial.conventions());
-  const bool meets = reference::counts_as_hit(at.hit_class, trial.conventions().tangent);
+  const reference::Intersection at = properties::exact_intersection(
+      exact, sphere, trial.conventions(), trial.candidate().interface.from_inside);
+  const bool meets = reference::counts_as_hit(at.hit_class, trial.conventions().tangent) &&
+                     !properties::is_at_start(exact, sphere, trial.candidate());
   std::optional<scene::Measured> off_s, off_point;
   if (meets) {
     off_s = reference::ulp_error(hit->parameter, exact.parameter(sphere, at), report.precision);
     off_point = reference::relative_error(hit->point, exact.point(sphere, at));
   }
   const properties::Returns returns = trial.candidate().interface.returns;
-  if (trial.exact_hit(0, 0) && properties::gives_parameter(returns)) {
+  if (trial.exact_hit(0, 0) && properties::gives_parameter(returns) &&
+      !properties::is_at_start(trial.exact_ray(0), sphere, trial.candidate())) {
     report.ulp_error =
         reference::ulp_error(hit->parameter,
                              trial.exact_ray(0).parameter(sphere, trial.exact_intersection(0, 0)),

@@ -73,7 +73,27 @@ const std::vector<Called> kCalled = {
      "  const Vector3 to = in(ray.direction) - in(ray.origin);\n"
      "  const auto hit = intersect({ray.origin, out(to)}, ball, asked);\n"
      "  return hit && hit->parameter <= 1 ? hit : std::nullopt;\n}\n",
-     ".intersect = segment"}};
+     ".intersect = segment"},
+    {"solid", "from_inside start", "nearest-root", "from_inside = start",
+     "std::optional<Hit> solid(const Ray& ray, const Sphere& ball, const Conventions& asked) {\n"
+     "  if ((in(ray.origin) - in(ball.centre)).norm() <= ball.radius) return Hit{0, ray.origin};\n"
+     "  return intersect(ray, ball, asked);\n}\n",
+     ".intersect = solid"},
+    {"behind", "from_inside near-root", "nearest-root", "from_inside = near-root",
+     "std::optional<Hit> behind(const Ray& ray, const Sphere& ball, const Conventions& asked) {\n"
+     "  const Vector3 to = in(ball.centre) - in(ray.origin), d = in(ray.direction);\n"
+     "  if (to.norm() > ball.radius) return intersect(ray, ball, asked);\n"
+     "  const double a = d.squaredNorm(), r = ball.radius;\n"
+     "  const double under_root = std::max(0.0, a * r * r - to.cross(d).squaredNorm());\n"
+     "  const double s = (to.dot(d) - std::sqrt(under_root)) / a;\n"
+     "  return Hit{s, out(in(ray.origin) + s * d)};\n}\n",
+     ".intersect = behind"},
+    {"inner", "from_inside start; t_max 1", "class", "from_inside = start",
+     "std::optional<Hit> inner(const Ray& ray, const Sphere& ball, const Conventions& asked) {\n"
+     "  if ((in(ray.origin) - in(ball.centre)).norm() <= ball.radius) return Hit{0, ray.origin};\n"
+     "  const auto hit = intersect(ray, ball, asked);\n"
+     "  return hit && hit->parameter <= 1 ? hit : std::nullopt;\n}\n",
+     ".intersect = inner"}};
 
 /// It declares `contract`.
 std::string candidate(const Called& called, const std::string& contract) {
@@ -112,6 +132,8 @@ TEST(Interfaces, that_are_not_followed_are_broken) {
        {std::tuple("pixels row-column", "direction", "pixels = column-row"),
         {"spheres diameter", "class", "spheres = radius"},
         {"view direction", "direction", "view = look-at"},
+        {"from_inside start", "nearest-root", "from_inside = root"},
+        {"from_inside near-root", "nearest-root", "from_inside = root"},
         {"rays end", "class", "rays = direction"}}) {
     plain.name = std::string("plain-") + law;
     const Outcome outcome = judged_by(plain, contract, std::string("--filter ") + law);
