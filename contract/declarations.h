@@ -164,6 +164,30 @@ void for_each_word(SomeLengths& lengths, Visit visit) {
   visit(lengths.largest);
 }
 
+/// Where a ray nearly touches a sphere, or starts nearly on it, within these either answer is
+/// right: a miss, either root, or a point as near to the surface (properties/tolerance.h). 0:
+/// exactly there only the exact answer is right.
+struct Tolerances {
+  double discriminant = 0, d_sq = 0, distance = 0, radii = 0;  ///< Of rays that nearly touch.
+  double c = 0, surface = 0, s = 0;                            ///< Of origins nearly on a sphere.
+  bool operator==(const Tolerances&) const = default;
+};
+template <scene::Either<Tolerances> SomeTolerances, class Visit>
+void for_each_tolerance(SomeTolerances& within, Visit visit) {
+  visit("tolerance_discriminant", within.discriminant,
+        "either answer is right if |b^2 - 4ac| is at most this");
+  visit("tolerance_d_sq", within.d_sq,
+        "either answer is right if |d^2| = |r^2 - |T x D|^2| is at most this");
+  visit("tolerance_distance", within.distance,
+        "either answer is right if the line passes the sphere's outline within this distance");
+  visit("tolerance_radii", within.radii, "tolerance_distance in multiples of the radius");
+  visit("tolerance_c", within.c,
+        "either answer is right if |c| = ||T|^2 - r^2| of the origin is at most this");
+  visit("tolerance_surface", within.surface,
+        "either answer is right if the origin is within this distance of the surface");
+  visit("tolerance_s", within.s, "either answer is right if |s| of a root is at most this");
+}
+
 /// All that a candidate declares. Unless it declares other roots, every root >= 0 counts.
 struct Declarations {
   DeclaredConventions conventions = {.rows = {},
@@ -174,6 +198,7 @@ struct Declarations {
                                      .valid = scene::ValidRoots{}};
   Level level = Level::kOrdinary;  ///< The level that it must reach.
   Lengths lengths;
+  Tolerances tolerances;
   scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
   Interface interface;
 };
@@ -193,6 +218,7 @@ void for_each_declaration(SomeDeclarations& declared, Visit visit) {
   visit("lengths", declared.lengths, "the nonzero lengths on which it is judged: SMALLEST LARGEST");
   visit("precision", declared.precision, "the format that it computes in");
   for_each_choice(declared.interface, visit);
+  for_each_tolerance(declared.tolerances, visit);
 }
 
 /// Sets what a statement declares: "rows top-first", "t_min 1e-4", "lengths 1e-30 1e30".
@@ -208,7 +234,8 @@ std::vector<std::string> statements(const Declarations& declared);
 /// "roots ENDS T_MIN T_MAX UNIT CULLING", a line.
 std::string roots_line(const scene::ValidRoots& valid);
 
-/// What is invalid: an interval that ends before it begins, lengths that are not a range.
+/// What is invalid: an interval that ends before it begins, lengths that are not a range, a
+/// tolerance that is negative or not finite.
 std::vector<scene::Defect> defects(const Declarations& declared);
 
 }  // namespace raycheck::contract

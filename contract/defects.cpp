@@ -13,6 +13,10 @@ std::vector<scene::Defect> defects(const Declarations& declared) {
     append(range, declared.lengths);
     found.push_back({"lengths", range, "must be two numbers from 0 on, the smaller one first"});
   }
+  for_each_tolerance(declared.tolerances, [&](const char* name, double size, auto /*meaning*/) {
+    if (size >= 0 && std::isfinite(size)) return;
+    found.push_back({name, scene::shortest(size), "must be a finite number from 0 on"});
+  });
   if (declared.interface.rays == RayForm::kEnd &&
       declared.interface.directions == Directions::kUnit) {
     found.push_back({"rays", "end", "cannot be combined with directions unit"});

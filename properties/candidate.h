@@ -163,6 +163,7 @@ struct Promises {
   /// How it is called, and what it returns; adapted() converts between that and what laws need.
   contract::Interface interface = {};
   InputFormat input_format() const { return {precision, interface}; }
+  contract::Tolerances tolerances = {};  ///< Within these either answer is right.
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty without one.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// Its documented bound on rays made from a camera, where a hit inherits the error of its ray; if

@@ -30,19 +30,21 @@ enum class ExcuseKind {
   kThreshold,
   kIllConditioned,
   kOutsideDomain,
+  kTolerance,
 };
 /// A kind's name, and the standing that it gives an answer.
 struct ExcuseInfo {
   std::string_view name;
   Standing standing;
 };
-inline constexpr std::array<ExcuseInfo, 6> kExcuses = {
+inline constexpr std::array<ExcuseInfo, 7> kExcuses = {
     {{"", Standing::kDefect},
      {"undecided", Standing::kUndecided},
      {"witness", Standing::kExcused},
      {"threshold", Standing::kExcused},
      {"ill-conditioned", Standing::kExcused},
-     {"outside the domain", Standing::kNotJudged}}};
+     {"outside the domain", Standing::kNotJudged},
+     {"tolerance", Standing::kExcused}}};
 constexpr const ExcuseInfo& info(ExcuseKind kind) {
   return kExcuses[static_cast<std::size_t>(kind)];
 }
@@ -53,7 +55,8 @@ struct Excuse {
   ExcuseKind kind = ExcuseKind::kNone;
   /// Depends on the kind: the relative change of the inputs within which a witness was found, or a
   /// refutation (kNone; 0 where no excuse applies), or neither; the threshold that the exact s does
-  /// not exceed; the condition number that allows the error. 0 for other kinds.
+  /// not exceed; the condition number that allows the error; the declared tolerance. 0 for
+  /// other kinds.
   double amount = 0;
   /// The changed inputs for which the answer is right, if there is a witness.
   reference::InputChange witness = {};

@@ -24,15 +24,43 @@ Wrong wrong_of(const Choice& choice) {
                           : Wrong::kWrongSphere;
 }
 
+namespace {
+
+/// A declared tolerance that allows a choice, or 0: it is within one, or it is first among the
+/// spheres that are not.
+double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
+  const reference::ExactRay& exact = trial.exact_ray(ray);
+  const auto& spheres = trial.scene().spheres;
+  double size = 0;
+  std::optional<reference::NearestSphere> first;
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    if (const double one = trial.tolerance(exact, spheres[k]); one > 0) {
+      size = one;
+      if (got == k) return size;
+      continue;
+    }
+    const reference::Intersection at = exact.intersect(spheres[k], trial.conventions());
+    if (counts_as_hit(at.hit_class, trial.conventions().tangent)) {
+      exact.keep_nearest(spheres, k, at, first);
+    }
+  }
+  return is_right({ray, got, first}) ? size : 0;
+}
+
+}  // namespace
+
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
   using reference::FirstMet;
   const FirstMet claim{!got                 ? FirstMet::What::kNothing
                        : got == kSomeSphere ? FirstMet::What::kSomething
                                             : FirstMet::What::kSphere,
                        got.value_or(0)};
-  return excuse_of(
+  Excuse found = excuse_of(
       right_nearby(trial.exact_ray(ray), trial.scene().spheres, trial.neighbourhood(change), claim),
       change);
+  if (found.standing() == Standing::kExcused) return found;
+  const double size = tolerance_of_choice(trial, ray, got);
+  return size > 0 ? Excuse{ExcuseKind::kTolerance, size} : found;
 }
 
 void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected expected,

@@ -261,6 +261,8 @@ void Trial::examine(Verdict& verdict, const MeasuredError& own, const Particular
     discrepancy.excuse = {ExcuseKind::kOutsideDomain};
   } else if (is_allowed && is_number) {
     discrepancy.excuse = {ExcuseKind::kIllConditioned, *discrepancy.condition};
+  } else if (const double size = of.tolerance && is_number ? of.tolerance() : 0; size > 0) {
+    discrepancy.excuse = {ExcuseKind::kTolerance, size};
   }
   verdict.add(std::move(discrepancy));
 }
@@ -278,14 +280,22 @@ reference::Neighbourhood Trial::neighbourhood(double relative_change) const {
   return {conventions().root, conventions().tangent, relative_change, conventions().valid};
 }
 
+double Trial::change_about(const reference::ExactRay& ray, const scene::Sphere& sphere) const {
+  return excused_change() * plain_growth(plain_change(candidate(), ray, sphere));
+}
+
 Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
   std::optional<Excuse> weakest;
   for (const RayAnswer& answer : answers) {
     scene::poll();
     if (!is_wrong(answer, conventions(), candidate())) continue;
-    const reference::Neighbourhood around = neighbourhood(
-        excused_change() * plain_growth(plain_change(candidate(), answer.ray, answer.sphere)));
+    const reference::Neighbourhood around = neighbourhood(change_about(answer.ray, answer.sphere));
     Excuse one = excuse_of(nearby(answer, around, candidate().interface), around.relative_change);
+    if (one.standing() != Standing::kExcused) {
+      if (const double size = tolerance(answer.ray, answer.sphere); size > 0) {
+        one = {ExcuseKind::kTolerance, size};
+      }
+    }
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;
   }

@@ -15,6 +15,7 @@
 #include "properties/answers.h"
 #include "properties/candidate.h"
 #include "properties/case.h"
+#include "properties/tolerance.h"
 #include "properties/truth.h"
 #include "properties/verdict.h"
 #include "scene/scene.h"
@@ -176,17 +177,18 @@ class Trial : public Answers {
   /// and `describe` called; `describe` fills in what, got and exact. With
   /// TrialOptions::conditioning every error is weighed; if kappa is infinite, by `backward`, the
   /// backward error. `plain` returns the term that is added to the condition number for code that
-  /// promises only ordinary cases.
+  /// promises only ordinary cases; `tolerance` the declared tolerance that allows the answer, or 0.
   template <class Condition, class Describe>
   void measure(Verdict& verdict, const MeasuredError& measured, const Condition& condition,
                const Describe& describe, const std::function<scene::Measured()>& backward = {},
-               const std::function<double()>& plain = {}) const {
+               const std::function<double()>& plain = {},
+               const std::function<double()>& tolerance = {}) const {
     MeasuredError own = measured;
     own.bound = measured.bound ? measured.bound : bound(measured.quantity);
     own.error = measured.error.in(precision());
     verdict.measured(own.quantity, own.place, own.error.value, *own.bound);
     if (own.error.value <= *own.bound && !options_.conditioning) return;
-    examine(verdict, own, {condition, describe, backward, plain});
+    examine(verdict, own, {condition, describe, backward, plain, tolerance});
   }
   /// Counts a right or wrong answer, and adds a discrepancy if it is wrong. `excuse` is called only
   /// if neither the stated domain nor a promise of exact hit classes decides.
@@ -199,8 +201,16 @@ class Trial : public Answers {
 
   /// The excuse for answers of which at least one is wrong. For each wrong answer there must be
   /// inputs for which it is right, within excused_change() of the given inputs, enlarged by
-  /// plain_growth(). If one wrong answer has no such inputs, there is no excuse.
+  /// plain_growth(); or it must lie within a declared tolerance. If one wrong answer does neither,
+  /// there is no excuse.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
+  /// The declared tolerance within which a ray and a sphere lie (properties/tolerance.h), and a hit
+  /// at s or at a point, if given; 0 if there is none.
+  template <class... At>
+  double tolerance(const reference::ExactRay& ray, const scene::Sphere& sphere,
+                   const At&... at) const {
+    return tolerance_of(candidate().tolerances, {ray, sphere, change_about(ray, sphere)}, at...);
+  }
   /// Where to search for a witness: inputs for which an answer is right.
   reference::Neighbourhood neighbourhood(double relative_change) const;
 
@@ -213,10 +223,12 @@ class Trial : public Answers {
     std::function<double()> condition;
     std::function<void(Discrepancy&)> describe;
     std::function<scene::Measured()> backward;
-    std::function<double()> plain;
+    std::function<double()> plain, tolerance;
   };
 
   bool promises_exactly(Quantity quantity) const;
+  /// excused_change(), enlarged by plain_growth().
+  double change_about(const reference::ExactRay& ray, const scene::Sphere& sphere) const;
   Stability weigh(double error, const Particulars& of) const;
   /// Whether the bound on a quantity is a documented one. Such a bound grows with the condition
   /// number, and errors within the grown bound are not discrepancies. Other bounds (the user's, the

@@ -66,6 +66,7 @@ void Verdict::judged_wrong(const Decision& decision, Standing standing) {
 void Verdict::add(Discrepancy discrepancy) {
   if (!law_.empty()) discrepancy.law = law_;
   ++by_standing_[static_cast<std::size_t>(discrepancy.excuse.standing())];
+  tolerated_ += discrepancy.excuse.kind == ExcuseKind::kTolerance ? 1 : 0;
   kept_.push_back(std::move(discrepancy));
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
@@ -75,6 +76,7 @@ void Verdict::merge(const Verdict& other) {
   if (!other.left_out_.empty()) left_out_ = other.left_out_;
   for (const auto& [quantity, tally] : other.tallies_) tallies_[quantity].merge(tally);
   for (std::size_t k = 0; k < kStandingCount; ++k) by_standing_[k] += other.by_standing_[k];
+  tolerated_ += other.tolerated_;
   kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }

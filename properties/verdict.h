@@ -77,6 +77,8 @@ class Verdict {
     return by_standing_[static_cast<std::size_t>(standing)];
   }
   std::uint64_t compared() const;
+  /// The number of answers that only a declared tolerance excuses.
+  std::uint64_t tolerated() const { return tolerated_; }
   /// Whether there is no defect; if `strictly`, no judged answer that differs from the truth.
   bool holds(bool strictly = false) const;
   /// The first kind of question that was asked but answered right, without an excuse, fewer than
@@ -92,7 +94,7 @@ class Verdict {
   std::optional<CodeLine> failed_at(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
   /// Without the law that it belongs to.
-  void serialize(auto& archive) { archive(left_out_, tallies_, kept_, by_standing_); }
+  void serialize(auto& archive) { archive(left_out_, tallies_, kept_, by_standing_, tolerated_); }
 
  private:
   void prune();
@@ -103,6 +105,7 @@ class Verdict {
   std::map<Quantity, Tally> tallies_;
   std::vector<Discrepancy> kept_;
   std::array<std::uint64_t, kStandingCount> by_standing_ = {};
+  std::uint64_t tolerated_ = 0;
 };
 
 }  // namespace raycheck::properties

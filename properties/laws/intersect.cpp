@@ -61,6 +61,10 @@ struct Encounter {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
+  /// The declared tolerance within which the answer lies.
+  double tolerance_of_s() const { return trial.tolerance(ray, sphere, answer->parameter); }
+  double tolerance_of_point() const { return trial.tolerance(ray, sphere, answer->point); }
+
   /// plain_change() if the textbook's roundings may be as large as d^2, so that no condition number
   /// bounds their effect on s; otherwise 0.
   double plain_blur() const {
@@ -199,7 +203,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
           return at.is_at_start() ? 0 : trial.condition_of_parameter(at.ray_at, at.sphere_at);
         },
         [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); },
-        [&] { return at.plain_condition(); });
+        [&] { return at.plain_condition(); }, [&] { return at.tolerance_of_s(); });
   });
   leave_out_without_hits(trial, verdict);
 }
@@ -215,7 +219,8 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
           const double blur = at.plain_blur();
           if (blur > 0) return blur;
           return at.plain_condition() / trial.condition_of_parameter(at.ray_at, at.sphere_at);
-        });
+        },
+        [&] { return at.tolerance_of_s(); });
   });
   leave_out_without_hits(trial, verdict);
 }
@@ -228,7 +233,8 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const scene::Sphere& sphere = at.sphere;
   const scene::Point3& answer = at.answer->point;
   const auto measure = [&](Quantity quantity, const std::optional<scene::Measured>& error,
-                           const auto& scale, const std::function<double()>& plain) {
+                           const auto& scale, const std::function<double()>& plain,
+                           const std::function<double()>& tolerance) {
     if (!error) return;
     trial.measure(
         verdict, {quantity, at.place(), *error},
@@ -243,14 +249,15 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
           return (size / scale(point - origin, radius)).upper() *
                  (std::isinf(of_point) ? 1 : of_point);
         },
-        [&](Discrepancy& d) { d.got = numbers(answer); }, {}, plain);
+        [&](Discrepancy& d) { d.got = numbers(answer); }, {}, plain, tolerance);
   };
   measure(
       Quantity::kSphereResidual, reference::sphere_residual(sphere, answer),
       [](const Enclosure3&, const Enclosure& radius) { return radius; },
-      [&] { return at.plain_condition_over(Enclosure(sphere.radius, 256)); });
+      [&] { return at.plain_condition_over(Enclosure(sphere.radius, 256)); },
+      [&] { return at.tolerance_of_point(); });
   measure(Quantity::kRayResidual, reference::ray_residual(ray, answer),
-          [](const Enclosure3& along, const Enclosure&) { return norm(along); }, {});
+          [](const Enclosure3& along, const Enclosure&) { return norm(along); }, {}, {});
 }
 
 /// Judges Q, which must be the origin of the ray as the candidate got it.
@@ -288,7 +295,8 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
           // Then only the residuals limit the error of Q.
           if (std::isinf(of_s)) return of_s;
           return at.plain_condition_over(norm(at.ray.enclose(256).point(at.sphere, *at.exact)));
-        });
+        },
+        [&] { return at.tolerance_of_point(); });
     judge_residuals(trial, verdict, at);
   });
   leave_out_without_hits(trial, verdict);
@@ -392,17 +400,21 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
                                  plain_condition(candidate, pixel_ray, the_sphere, at);
         return std::isinf(from_both) ? 0 : from_both;
       };
+      const auto tolerance = [&] {
+        return std::max(trial.tolerance(eye_ray, the_sphere, eye.hit.parameter),
+                        trial.tolerance(pixel_ray, the_sphere, pixel_hit->parameter));
+      };
       trial.measure(verdict,
                     {Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
                      2 * trial.bound(Quantity::kParameter)},
-                    condition, describe, {}, plain);
+                    condition, describe, {}, plain, tolerance);
       const Enclosure3 apart =
           reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
       trial.measure(verdict,
                     {Quantity::kInvariance, place, reference::in_units_of_u(norm(apart) / size),
                      2 * trial.bound(Quantity::kHitPoint)},
-                    condition, describe, {}, plain);
+                    condition, describe, {}, plain, tolerance);
     }
   }
   if (verdict.compared() == 0) {

@@ -37,6 +37,9 @@ struct PairAnswer {
 
   const scene::Sphere& sphere() const { return trial.scene().spheres[sphere_index]; }
   RayAnswer answer() const { return answer_of(trial.exact_ray(ray), sphere(), hit); }
+  double tolerance() const {
+    return trial.tolerance(trial.exact_ray(ray), sphere(), hit->parameter);
+  }
   reference::Intersection exact() const { return trial.exact_intersection(ray, sphere_index); }
   bool is_at_other_root() const {
     return properties::is_at_other_root(answer(), exact(), trial.candidate());
@@ -121,12 +124,14 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
                ? reference::condition_of_parameter(trial.exact_ray(first.ray), first.sphere(), at)
                : std::numeric_limits<double>::infinity();
   };
-  trial.measure(verdict, {Quantity::kInvariance, place, error, bound}, condition, describe, {},
-                [&] {
-                  return is_hit ? plain_condition(trial.candidate(), trial.exact_ray(first.ray),
-                                                  first.sphere(), at)
-                                : 0;
-                });
+  trial.measure(
+      verdict, {Quantity::kInvariance, place, error, bound}, condition, describe, {},
+      [&] {
+        return is_hit ? plain_condition(trial.candidate(), trial.exact_ray(first.ray),
+                                        first.sphere(), at)
+                      : 0;
+      },
+      [&] { return std::max(first.tolerance(), second.tolerance()); });
 }
 
 void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
@@ -196,12 +201,15 @@ std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precisio
 void judge_scaling(Trial& trial, Verdict& verdict) {
   const std::string_view nothing = why_nothing_to_compare(trial);
   if (!nothing.empty()) return verdict.leave_out(std::string(nothing));
-  // Absolute ends that the candidate declares do not scale.
+  // Absolute ends and tolerances that the candidate declares do not scale.
   const auto& own = trial.candidate().declared.valid;
   const bool is_scale_free =
       !own || own->unit == scene::TUnit::kRadius || (own->t_min == 0 && std::isinf(own->t_max));
-  if (!is_scale_free) {
-    return verdict.leave_out("the candidate's own t_min or t_max does not scale with the scene");
+  contract::Tolerances absolute = trial.candidate().tolerances;
+  absolute.radii = 0;
+  if (!is_scale_free || !(absolute == contract::Tolerances{})) {
+    return verdict.leave_out(
+        "the candidate's own t_min, t_max or tolerance does not scale with the scene");
   }
   bool is_tried = false;
   for (const int exponent : {-120, -40, 3, 40, 120}) {

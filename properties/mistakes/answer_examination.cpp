@@ -190,6 +190,19 @@ void leave_out_rays_from_inside(AskedCase& asked) {
   }
 }
 
+/// Replaces answers within a declared tolerance by the right ones.
+void leave_out_tolerated(Comparison& comparison, const Candidate& candidate) {
+  if (candidate.tolerances == contract::Tolerances{}) return;
+  const auto& [the_case, rays, returns] = *comparison.asked;
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    if (agree(comparison.answers[k], comparison.right[k], kAnswerTolerances.front())) continue;
+    const reference::ExactRay ray(rays[k % rays.size()]);
+    const ChangedPair pair = {ray, the_case.scene.spheres[k / rays.size()],
+                              excused_change(candidate.unit_roundoff)};
+    if (tolerance_of(candidate.tolerances, pair) > 0) comparison.answers[k] = comparison.right[k];
+  }
+}
+
 /// The case as asked; empty outside the candidate's domain, or if its format cannot hold the case.
 std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candidate,
                                     const Candidate& right) {
@@ -241,6 +254,7 @@ const std::vector<Comparison>& Examination::at(Step step) {
       ++not_number_counts_[static_cast<std::size_t>(step)];
       if (not_numbers_ == NotNumbers::kLeftOut) comparison.answers[k] = comparison.right[k];
     }
+    if (step == Step::kIntersect) leave_out_tolerated(comparison, candidate_);
     if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
       comparison.also_right = ask_others(step, asked);
     }

@@ -20,6 +20,9 @@ TEST(Declarations, are_read_from_the_statements_that_they_write) {
   std::vector<std::string> tried = {"roots as-asked", "roots () 1e-04 100 radius back-faces",
                                     "lengths 1e-30 1e+30"};
   const Declarations usual;
+  for_each_tolerance(usual.tolerances, [&](const std::string& name, double, auto) {
+    tried.push_back(name + " 1e-12");
+  });
   for_each_declaration(usual, [&](const std::string& name, const auto& value, auto) {
     if constexpr (requires { words_of(*value); }) {
       for (const auto word : words_of(*value)) tried.push_back(name + " " + std::string(word));
@@ -57,7 +60,10 @@ TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expect
                                         {"lengths nan 1", "lengths"},
                                         {"lengths inf inf", "lengths"},
                                         {"t_min 2; t_max 1", "conventions.t_max"},
-                                        {"t_min -1", "conventions.t_min"}}) {
+                                        {"t_min -1", "conventions.t_min"},
+                                        {"tolerance_c -1", "tolerance_c"},
+                                        {"tolerance_d_sq nan", "tolerance_d_sq"},
+                                        {"tolerance_s inf", "tolerance_s"}}) {
     const std::vector<scene::Defect> found = defects(declared(contract));
     ASSERT_EQ(found.size(), 1u) << contract;
     EXPECT_EQ(found[0].field, field);

@@ -49,6 +49,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["not_asked"] = text_or_null(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
+  json["tolerated"] = candidate.verdict.tolerated();
   json["inside_domain"] = candidate.inside_domain;
   json["too_few_judged"] = or_null(candidate.too_few_judged(), too_few_json);
   json["worst"] = list_json(candidate.verdict.worst(top), discrepancy_json);

@@ -186,6 +186,7 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
                         is_focal ? "focal" : "pixel");
   }
   text += precision_text(candidate) + excluded_text(candidate) + quantities_table(candidate);
+  text += indented(tolerated_text(candidate.verdict, implementation.tolerances), "  ");
   const char* const answers = implementation.draws() ? "pixels" : "answers";
   text += indented(explanations_text(candidate.explanations, answers), "  ");
   if (std::ranges::any_of(candidate.explanations, [](const properties::Explanation& one) {

@@ -1,5 +1,7 @@
 #include "tools/commands/list.h"
 
+#include <type_traits>
+
 #include "contract/declarations.h"
 #include "contract/words.h"
 #include "scene/fields.h"
@@ -50,7 +52,8 @@ std::vector<Choice> declarations() {
   const contract::Declarations usual;
   contract::for_each_declaration(usual, [&](const char* name, auto& field, const char* meaning) {
     if constexpr (
-        requires { contract::words_of(field); } || requires { field.smallest; }) {
+        requires { contract::words_of(field); } || requires { field.smallest; } ||
+        std::is_same_v<decltype(field), const double&>) {
       all.push_back(choice(name, field, meaning));
     }
   });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "contract/declarations.h"
+#include "scene/text.h"
 #include "tools/external/external_candidate.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/words.h"
@@ -50,6 +52,12 @@ std::vector<properties::Stage> stages_of(const std::set<std::string>& functions)
   return stages;
 }
 
+std::string tolerances_of(const contract::Declarations& declared) {
+  contract::Declarations only;
+  only.tolerances = declared.tolerances;
+  return scene::joined(contract::statements(only), " and ");
+}
+
 }  // namespace
 
 Implementation implementation_of(const External& external) {
@@ -65,6 +73,7 @@ Implementation implementation_of(const External& external) {
       .stages = stages_of(external.introduction.functions),
       .precision = external.precision,
       .interface = external.introduction.declared.interface,
+      .tolerances = tolerances_of(external.introduction.declared),
       .make = [external] { return external_candidate(external); },
       .in_process = [external] { return calls_in_process(external); }};
   if (external.renderer) {

@@ -90,6 +90,7 @@ struct Implementation {
   /// round them, so they are judged in double precision.
   scene::Precision precision = scene::Precision::kDouble;
   contract::Interface interface = {};  ///< How it is called.
+  std::string tolerances = {};         ///< Those that it declares: "tolerance_c 1e-12".
   properties::InputFormat input_format() const { return {precision, interface}; }
   std::optional<MethodPair> methods = {};  ///< If it consists of methods of fast/.
   std::size_t number = 0;                  ///< Its index within its stage, for charts.

@@ -13,6 +13,7 @@ Json counts_json(const properties::CaseCounts& counts, const properties::Verdict
   return {{"cases", counts.cases},
           {"comparisons", verdict.compared()},
           {"discrepancies_by_standing", standings_json(verdict)},
+          {"tolerated", verdict.tolerated()},
           {"left_out", counts.left_out},
           {"not_judged", counts.not_judged},
           {"given_rays", counts.given_rays},

@@ -102,6 +102,9 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
   std::string text =
       fmt::format("{:<16} {:<26} {} on {} cases ({})\n", campaign.law->name, campaign.candidate,
                   finding_text(campaign, colours), name(result.level), counts_text(result));
+  if (result.verdict.tolerated() > 0) {
+    text += "    " + tolerated_text(result.verdict, campaign.implementation.tolerances);
+  }
   if (campaign.finding != Finding::kTooFewJudged) return text;
   return text + fmt::format("    {}\n", too_few_text(result));
 }

@@ -208,6 +208,13 @@ std::string standings_text(const std::function<std::uint64_t(Standing standing)>
   return text.empty() ? "no discrepancy" : text;
 }
 
+std::string tolerated_text(const properties::Verdict& verdict, const std::string& declared) {
+  if (declared.empty()) return {};
+  return fmt::format(
+      "{} of {} are right only within the declared {}: there either answer counts as right\n",
+      verdict.tolerated(), count_text(verdict.compared(), "comparison"), declared);
+}
+
 std::string excuse_text(const Discrepancy& d) {
   const Excuse& excuse = d.excuse;
   switch (excuse.kind) {
@@ -222,6 +229,9 @@ std::string excuse_text(const Discrepancy& d) {
     case ExcuseKind::kIllConditioned:
       return fmt::format("ill-conditioned: the condition number {} allows this error",
                          error_text(excuse.amount));
+    case ExcuseKind::kTolerance:
+      return fmt::format("within the declared tolerance {:g}, where either answer is right",
+                         excuse.amount);
     case ExcuseKind::kOutsideDomain:
       return "a length of the scene lies outside the judged domain";
     default:

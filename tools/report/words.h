@@ -9,6 +9,7 @@
 
 #include "properties/discrepancy.h"
 #include "properties/mistakes/explanation.h"
+#include "properties/verdict.h"
 #include "reference/visibility/visibility.h"
 #include "scene/conventions.h"
 #include "scene/files/scene_file.h"
@@ -61,6 +62,10 @@ std::string input_name(const properties::Discrepancy& discrepancy, std::size_t i
 /// "2 defects, 1 excused"; "no discrepancy" if all counts are 0.
 std::string standings_text(
     const std::function<std::uint64_t(properties::Standing standing)>& count);
+
+/// "3 of 90 comparisons are right only within the declared tolerance_c 1e-12: ..."; `declared`: the
+/// tolerances; empty without any.
+std::string tolerated_text(const properties::Verdict& verdict, const std::string& declared);
 
 /// "all 90 wrong pixels examined" or "11 of 12 wrong answers examined"; `answers` is a noun in the
 /// plural.

@@ -153,6 +153,29 @@ rc.run("mine", pixel_ray=pixel_ray, rows="bottom-first", samples="edges", made_d
   EXPECT_EQ(points("unit", "1").exit_code, 0);
 }
 
+TEST(TryCommand, ignores_tolerances_that_a_submission_declares) {
+  const Grading grading;
+  const std::string rubric = grading.short_rubric(
+      "", item_of("class", "points = 4", functions("class", "course", 6, kGivenRays)));
+  const auto points = [&](const std::string& name, const std::string& counts) {
+    return try_it(grading, rubric, grading.hand_in(name, "rays.py", R"(
+import raycheck_candidate as rc
+
+def intersect(ray, sphere, conventions):
+    (o, d), (c, r) = ray, sphere
+    t = [x - y for x, y in zip(c, o)]
+    m = [t[1]*d[2] - t[2]*d[1], t[2]*d[0] - t[0]*d[2], t[0]*d[1] - t[1]*d[0]]
+    dot = lambda p, q: sum(x * y for x, y in zip(p, q))
+    is_ahead = dot(t, t) <= r * r or dot(t, d) >= 0
+    return dot(m, m) <= r * r * dot(d, d) and is_ahead and )" + counts + R"(
+
+rc.run("mine", intersect=intersect, returns="class", tolerance_distance=1e30)
+)"));
+  };
+  EXPECT_EQ(points("half", "d[0] < 0").exit_code, 1);
+  EXPECT_EQ(points("all", "True").exit_code, 0);
+}
+
 TEST(TryCommand, writes_no_placeholder_to_the_page_of_a_program_that_does_not_compile) {
   const Grading grading;
   const std::string rubric = grading.write("rubric.toml", kAsTheyCome + kFewPictures);

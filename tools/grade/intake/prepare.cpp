@@ -248,9 +248,11 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     // The rubric sets the precision, whatever the submission declares.
     external.precision = scene::Precision::kDouble;
     // Nor may it choose how it is called: rows for columns, or directions that are not unit, are
-    // what items are about.
-    contract::Interface& interface = external.introduction.declared.interface;
-    interface = {.directions = interface.directions, .returns = interface.returns};
+    // what items are about. Nor may it declare tolerances.
+    contract::Declarations& declared = external.introduction.declared;
+    declared.interface = {.directions = declared.interface.directions,
+                          .returns = declared.interface.returns};
+    declared.tolerances = {};
     // The program's folder must outlive it; a library keeps its folder itself.
     if (!external.folder) external.folder = build.folder;
     if (external.renderer) ask_in_its_form(runnable, intake, options.folder, control);
