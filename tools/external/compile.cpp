@@ -33,6 +33,25 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
   return files;
 }
 
+/// A source's folder and those below it that have headers, so that "sphere.h" is found in include/.
+/// Not all of a large tree is searched.
+std::vector<fs::path> header_folders(const fs::path& folder) {
+  constexpr int kDeepest = 3;
+  constexpr std::size_t kMostFolders = 64;
+  std::set<fs::path> found = {folder};
+  std::error_code unreadable;
+  for (fs::recursive_directory_iterator entry(folder, unreadable), end;
+       entry != end && found.size() < kMostFolders; entry.increment(unreadable)) {
+    const std::string ending = entry->path().extension().string();
+    if (entry.depth() == kDeepest || entry->path().filename().string().starts_with('.')) {
+      entry.disable_recursion_pending();
+    } else if (ending == ".h" || ending == ".hpp" || ending == ".hh") {
+      found.insert(entry->path().parent_path());
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
 /// Copies a file that a sandboxed program made. Refuses links, because they may lead to files that
 /// the program may not read.
 fs::path copied(const fs::path& made, const fs::path& to) {
@@ -145,11 +164,15 @@ Compiled compile(const fs::path& source, const fs::path& to, const RunOptions& o
     }
     return {copied(libraries.front(), to), read_of(folder, step.folder())};
   }
-  confined.arguments = {"g++",     "-std=c++20", "-O2",         kLineTables, "-fPIC",
-                        "-shared", "-MMD",       "-isystem",    include,     "-isystem",
-                        kEigen,    "-o",         "candidate.so"};
+  confined.arguments = {"g++",     "-std=c++20",  "-O2",      kLineTables,   "-fPIC",
+                        "-shared", "-MMD",        "-isystem", include,       "-isystem",
+                        kEigen,    "-Wl,-z,defs", "-o",       "candidate.so"};
   for (const fs::path& one : options.includes) {
     confined.arguments.insert(confined.arguments.end(), {"-I", one});
+  }
+  // No header of a source hides one of the system: "" prefers its own, <> those of the system.
+  for (const fs::path& one : header_folders(folder)) {
+    confined.arguments.insert(confined.arguments.end(), {"-iquote", one, "-idirafter", one});
   }
   if (is_folder) {
     const auto files = files_in(source, ".cpp");

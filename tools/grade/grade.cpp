@@ -67,6 +67,7 @@ void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade
 void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   grade.program = found.program;
   grade.build_words = found.build_words;
+  grade.adapter = found.adapter;
   grade.opaque_files = found.opaque_files;
   grade.notes = found.all_notes();
   if (found.dry_run) grade.driver = found.dry_run->driver;
@@ -247,7 +248,7 @@ class ClassRun {
                 {external_candidate(runnable.external, last_failure),
                  runnable.found.program->kind == CandidateKind::kRenderer,
                  form_known(rubric_.driver, dry), dry ? dry->driver.dialect : scene::Dialect::kB,
-                 last_failure, runnable.external.program.spent},
+                 last_failure, !runnable.found.adapter.empty(), runnable.external.program.spent},
                 control, grade);
       note_that_nothing_shows(dry, grade);
       if (std::string note = inexpressible_text(grade); !note.empty()) grade.notes.push_back(note);

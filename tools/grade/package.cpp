@@ -138,7 +138,7 @@ std::string zipped(const Parts& parts) {
 void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path) {
   const fs::path rubric_path(rubric.path);
   std::vector<std::string> read_files = {rubric_path.string()};
-  for (const auto& [name, scene] : rubric.scene_files) read_files.push_back(scene.string());
+  for (const auto& [name, scene] : rubric.files) read_files.push_back(scene.string());
   require_no_input("package", path, read_files);
   OutputFile file("package", path);
   const std::string rubric_name = rubric_path.filename().string();
@@ -147,8 +147,7 @@ void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& 
   parts["run_autograder"] = {
       fmt::format(kRun, fmt::arg("rubric", rubric_name), fmt::arg("seed", seed)), true};
   parts["rubric/" + rubric_name] = {file_bytes(rubric_path)};
-  for (const auto& [name, scene] : rubric.scene_files)
-    parts["rubric/" + name] = {file_bytes(scene)};
+  for (const auto& [name, scene] : rubric.files) parts["rubric/" + name] = {file_bytes(scene)};
   const fs::path beside = program_folder() / "raycheck";
   parts["raycheck/bin/raycheck"] = {
       file_bytes(fs::exists(beside) ? beside : prefix() / "bin" / "raycheck"), true};

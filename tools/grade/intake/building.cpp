@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
+#include <fstream>
 #include <iterator>
 #include <set>
 #include <system_error>
@@ -186,6 +187,16 @@ std::string words_of(const Unbuilt& submission) {
 
 }  // namespace
 
+void lay_adapter(const Form& form, const fs::path& folder) {
+  if (!form.adapter) return;
+  for (const auto& own : fs::directory_iterator(adapters())) {
+    fs::remove_all(folder / own.path().filename());
+  }
+  fs::remove_all(folder / form.adapter->name);
+  std::ofstream(folder / form.adapter->name, std::ios::binary) << form.adapter->text;
+  open_to_others(folder / form.adapter->name);
+}
+
 bool needs_building(const Unbuilt& submission) {
   return !submission.form.build.empty() || submission.program.kind == CandidateKind::kSource;
 }
@@ -200,6 +211,7 @@ Built build_submission(const Unbuilt& submission, const fs::path& to, const RunO
   if (!form.build.empty()) {
     from = is_source ? made.path() : to;
     build(folder, {words, words}, from, options);
+    lay_adapter(form, from);
     open_to_others(from);
   }
   if (!is_source) return {{""}, words};

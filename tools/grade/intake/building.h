@@ -70,6 +70,10 @@ struct Unbuilt {
   std::size_t way = 0;   ///< The index of the way to build it that is tried first.
 };
 
+/// Lays a form's adapter, if it has one, into a submission's folder, in place of a file of its name
+/// and of copies of raycheck's own files for Python, JavaScript and Java.
+void lay_adapter(const Form& form, const std::filesystem::path& folder);
+
 bool needs_building(const Unbuilt& submission);
 
 /// Builds a submission in the empty folder `to`: by the form's command; if that is "auto", in the

@@ -183,12 +183,16 @@ Build next_build(const Intake& intake, const Build& last) {
 Preparation found_by(const Intake& intake, const Build& build) {
   const auto& [form, file, program] = intake.fitting;
   Preparation found{.program = program,
+                    .adapter = form.adapter ? form.adapter->name : "",
                     .built_automatically = form.is_built_automatically(),
                     .build_words = build.made.words,
                     .notes = build.made.notes,
                     .opaque_files = intake.sources.opaque};
   for (const auto& [name, contents] : intake.sources.files) {
     if (name.find('/') == std::string::npos) found.files.push_back(name);
+    if (name == found.adapter && contents.text != form.adapter->text) {
+      found.notes.push_back(fmt::format("its {} is replaced by the adapter of this name", name));
+    }
   }
   return found;
 }
@@ -225,6 +229,13 @@ void ask_in_its_form(RunnableSubmission& runnable, const Intake& intake, const f
   runnable.external = std::move(asked);
 }
 
+/// Why a submission cannot be judged: it could not be built or started.
+SubmissionError submission_error(const CandidateError& error, Preparation found) {
+  const std::string whose =
+      found.adapter.empty() ? "" : fmt::format("it does not fit the adapter {}: ", found.adapter);
+  return {{whose + error.why(), error.output()}, std::move(found)};
+}
+
 /// Starts one of a build's programs, given its command line. Errors: SubmissionError.
 RunnableSubmission started(const Intake& intake, const Build& build, const std::string& by,
                            const properties::RunControl& control) {
@@ -248,17 +259,19 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     // The rubric sets the precision, whatever the submission declares.
     external.precision = scene::Precision::kDouble;
     // Nor may it choose how it is called: rows for columns, or directions that are not unit, are
-    // what items are about. Nor may it declare tolerances.
+    // what items are about, or tolerances. An adapter is the instructor's.
     contract::Declarations& declared = external.introduction.declared;
-    declared.interface = {.directions = declared.interface.directions,
-                          .returns = declared.interface.returns};
-    declared.tolerances = {};
+    if (found.adapter.empty()) {
+      declared.interface = {.directions = declared.interface.directions,
+                            .returns = declared.interface.returns};
+      declared.tolerances = {};
+    }
     // The program's folder must outlive it; a library keeps its folder itself.
     if (!external.folder) external.folder = build.folder;
     if (external.renderer) ask_in_its_form(runnable, intake, options.folder, control);
     return runnable;
   } catch (const CandidateError& error) {
-    throw SubmissionError({error.why(), error.output()}, found);
+    throw submission_error(error, found);
   }
 }
 
@@ -274,7 +287,7 @@ RunnableSubmission best_program(const Intake& intake, const properties::RunContr
     try {
       build = next_build(intake, build);
     } catch (const CandidateError& error) {
-      take_failure({{error.why(), error.output()}, found_by(intake, build)});
+      take_failure(submission_error(error, found_by(intake, build)));
       break;
     }
     for (const std::string& by : build.made.programs) {
@@ -332,6 +345,10 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                            Store* store) try {
   Sources sources = copied(submission, rubric);
   FittingForm fitting = form_of(sources.folder->path(), rubric);
+  if (const auto& adapter = fitting.form.adapter) {
+    sources.digest = digest({sources.digest, adapter->name, adapter->text});
+    lay_adapter(fitting.form, sources.folder->path());
+  }
   return best_program({std::move(sources), std::move(fitting), run_options(rubric, confinement),
                        rubric.driver, store},
                       control);

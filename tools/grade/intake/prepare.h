@@ -21,6 +21,7 @@ struct Preparation {
   /// The candidate as for --candidate; absent if no form fits.
   std::optional<CandidateSpec> program = {};
   std::vector<std::string> files = {};  ///< The files at the top, with notebooks' modules.
+  std::string adapter = {};             ///< The name of its form's adapter; or empty.
   bool built_automatically = false;     ///< Its form has build = "auto".
   /// The shell command that built it; empty: nothing had to be built, or raycheck compiled it.
   std::string build_words = {};

@@ -16,8 +16,9 @@
 namespace raycheck::tools {
 
 ItemCases::ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
-                     const properties::DeclaredConventions& declared, scene::Precision precision)
-    : task_(task), pictures_(pictures), declared_(declared), precision_(precision) {
+                     const properties::DeclaredConventions& declared,
+                     properties::InputFormat format)
+    : task_(task), pictures_(pictures), declared_(declared), format_(format) {
   properties::Random random(seed);
   properties::Random of_scenes(random.bits());
   for (std::size_t k = 0; k < task.scenes.size(); ++k) scene_seeds_.push_back(of_scenes.bits());
@@ -28,7 +29,7 @@ std::optional<ItemCase> ItemCases::operator[](std::size_t k) const {
   const std::size_t scenes = task_.scenes.size();
   std::optional<ItemCase> found = k < scenes ? of_scene(k) : of_source(k - scenes);
   const auto round = [&]() -> bool {
-    auto rounded = properties::rounded_case(std::move(found->the_case), precision_).the_case;
+    auto rounded = properties::rounded_case(std::move(found->the_case), format_).the_case;
     if (rounded) found->the_case = *std::move(rounded);
     return rounded.has_value();
   };

@@ -32,8 +32,7 @@ class ItemCases {
   /// `declared`: the conventions under which the submission is judged, in a format that every case
   /// is rounded to.
   ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
-            const properties::DeclaredConventions& declared,
-            scene::Precision precision = scene::Precision::kDouble);
+            const properties::DeclaredConventions& declared, properties::InputFormat format = {});
 
   std::size_t size() const { return task_.scenes.size() + seeds_.size(); }
   /// Empty if there is nothing to ask, for example because the format cannot represent the case.
@@ -46,7 +45,7 @@ class ItemCases {
   const ItemTask& task_;
   bool pictures_;
   const properties::DeclaredConventions& declared_;
-  scene::Precision precision_;
+  properties::InputFormat format_;
   std::vector<std::uint64_t> scene_seeds_;
   std::vector<std::uint64_t> seeds_;
 };

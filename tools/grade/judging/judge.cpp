@@ -120,11 +120,13 @@ class Judge {
     Candidate& candidate = judged_.candidate;
     candidate.declared = rubric.conventions.over(candidate.declared);
     // If a submission could declare valid roots or a domain, it could exclude cases of the rubric.
-    candidate.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
-    candidate.smallest_length = candidate.smallest_camera_length =
-        std::min(candidate.smallest_length, properties::kSmallestJudgedLength);
-    candidate.largest_length = candidate.largest_camera_length =
-        std::numeric_limits<double>::infinity();
+    if (!judged_.has_adapter) {
+      candidate.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
+      candidate.smallest_length = candidate.smallest_camera_length =
+          std::min(candidate.smallest_length, properties::kSmallestJudgedLength);
+      candidate.largest_length = candidate.largest_camera_length =
+          std::numeric_limits<double>::infinity();
+    }
     candidate = judged_in(rubric.precision, std::move(candidate));
   }
 
@@ -198,7 +200,7 @@ class Judge {
     for (std::size_t k = 0; k < index; ++k) seeds.bits();
     const GradedCandidate graded = candidate_for(item);
     const ItemCases cases(*task, judged_.pictures, seeds.bits(), graded.candidate.declared,
-                          rubric_.precision);
+                          graded.candidate.input_format());
     try {
       return try_item(
           *task, cases, graded, [this] { return reason_to_stop(); }, grade);

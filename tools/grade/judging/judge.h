@@ -25,6 +25,8 @@ struct JudgedSubmission {
   FormKnown form_known = FormKnown::kGiven;
   scene::Dialect dialect = scene::Dialect::kB;  ///< The dialect of its driver files.
   LastFailure last_failure = nullptr;           ///< Set whenever the candidate fails.
+  /// Whether an instructor's adapter declares for it: then its roots and lengths count, too.
+  bool has_adapter = false;
   /// The time of its processes; null if it is unlimited.
   std::shared_ptr<const SpentTime> spent = nullptr;
 };

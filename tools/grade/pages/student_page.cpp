@@ -126,17 +126,21 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   if (is_renderer && pictures && pictures->image_change) {
     check += " --image-change " + scene::shortest(*pictures->image_change);
   }
-  commands.push_back({is_renderer ? "Check every pixel" : "Check every ray", std::move(check)});
+  const std::string& adapter = grade.submission.adapter;
+  commands.push_back({(is_renderer ? "Check every pixel" : "Check every ray") +
+                          (adapter.empty() ? "" : ", with " + adapter + " in your folder"),
+                      std::move(check)});
   return commands;
 }
 
 HomeCommand command_for_all(const StudentGrade& grade) {
-  return {
-      shipped_rubric(grade.rubric)
-          ? "To grade your submission again, run in its folder"
-          : "To grade your submission again, run in its folder, with " + grade.rubric + " in it",
-      fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
-                  grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
+  const std::string& adapter = grade.submission.adapter;
+  return {shipped_rubric(grade.rubric)
+              ? "To grade your submission again, run in its folder"
+              : "To grade your submission again, run in its folder, with " + grade.rubric +
+                    (adapter.empty() ? "" : " and " + adapter) + " in it",
+          fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
+                      grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
 }
 
 std::string report_page(const StudentGrade& grade) {

@@ -185,7 +185,8 @@ struct SubmissionGrade {
   /// The shell command that built the submission in a copy of its folder; empty if nothing had to
   /// be built, or if raycheck compiled it.
   std::string build_words = {};
-  DriverForm driver = {};  ///< For a renderer: the form of its driver files.
+  std::string adapter = {};  ///< The name of its form's adapter; or empty.
+  DriverForm driver = {};    ///< For a renderer: the form of its driver files.
   /// Remarks on the dry run and the build, a sentence each.
   std::vector<std::string> notes = {};
   std::vector<OpaqueFile> opaque_files = {};  ///< Files that instructors should look at.

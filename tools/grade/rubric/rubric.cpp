@@ -71,7 +71,7 @@ class RubricReader {
     for (const Table& each : fields_.tables(file, "form")) rubric.forms.push_back(form(each));
     for (const Table& each : fields_.tables(file, "item")) rubric.items.push_back(item(each));
     if (rubric.items.empty()) fields_.fail(fields_.required(file, "item"), "has no items");
-    rubric.scene_files = scene_files_;
+    rubric.files = files_;
     return rubric;
   }
 
@@ -122,21 +122,44 @@ class RubricReader {
   }
 
   Form form(const Table& from) {
-    fields_.require_known(from, {"has", "build", "candidate"});
-    const Field candidate = fields_.required(from, "candidate");
-    Form result{fields_.text(fields_.required(from, "has")), given_text(from, "build", ""),
-                program(candidate)};
+    fields_.require_known(from, {"has", "build", "candidate", "adapter"});
+    Form result{.has = fields_.text(fields_.required(from, "has")),
+                .build = given_text(from, "build", ""),
+                .program = {}};
+    if (const auto field = fields_.optional(from, "adapter")) result.adapter = adapter_of(*field);
+    const std::string usual = result.adapter ? usual_candidate(result.adapter->name) : "";
+    const bool is_usual = !usual.empty() && !fields_.optional(from, "candidate");
+    const auto candidate = [&] { return fields_.required(from, "candidate"); };
+    result.program = is_usual ? parse_candidate(usual) : program(candidate());
     if (result.has.find('/') != std::string::npos) {
       fields_.fail(fields_.required(from, "has"), "must be a file name, without a folder");
     }
     const bool has_program = result.program.what.find("{program}") != std::string::npos;
     if (has_program && !result.is_built_automatically()) {
-      fields_.fail(candidate, "{program} requires build = \"auto\"");
+      fields_.fail(candidate(), "{program} requires build = \"auto\"");
     }
     if (result.is_built_automatically() && !(has_program && result.program.is_words())) {
-      fields_.fail(candidate, "build = \"auto\" requires {program} in a renderer: or command:");
+      fields_.fail(candidate(), "build = \"auto\" requires {program} in a renderer: or command:");
     }
     return result;
+  }
+
+  Adapter adapter_of(const Field& field) {
+    const std::string name = fields_.text(field);
+    const fs::path path = path_.parent_path() / name;
+    if (name != path.filename()) fields_.fail(field, "must be a file name, without a folder");
+    if (!fs::is_regular_file(path)) fields_.fail(field, "is not a file beside the rubric");
+    files_[name] = path;
+    return {name, scene::file_text(path)};
+  }
+
+  /// The candidate of an adapter in C, C++, Python or JavaScript; empty for others.
+  static std::string usual_candidate(const std::string& adapter) {
+    const std::string ending = fs::path(adapter).extension().string();
+    if (ending == ".cpp" || ending == ".cc" || ending == ".c") return "source:" + adapter;
+    if (ending == ".py") return "command:python3 " + adapter;
+    if (ending == ".mjs" || ending == ".js") return "command:node " + adapter;
+    return "";
   }
 
   void read_limits(const Table& from, Rubric& rubric) {
@@ -325,7 +348,7 @@ class RubricReader {
     if (pictures && scene.camera->width > kMostGradedPixels / scene.camera->height) {
       fields_.fail(field, "has more than 65536 pixels");
     }
-    scene_files_[name] = path;
+    files_[name] = path;
     return {name, scene};
   }
 
@@ -344,7 +367,7 @@ class RubricReader {
   double unit_ = properties::kDoubleRoundoff;  ///< The unit of every tolerance.
   std::set<std::string> names_;
   std::set<std::string> file_names_;
-  std::map<std::string, fs::path> scene_files_;
+  std::map<std::string, fs::path> files_;
 };
 
 }  // namespace

@@ -100,6 +100,13 @@ struct Item {
 /// The base name of an item's files: lower-case letters, digits and hyphens.
 std::string file_name(std::string_view item);
 
+/// An instructor's program that calls the functions of submissions. It is laid into each
+/// submission's folder, in place of a file of its name.
+struct Adapter {
+  std::string name;  ///< The name of its file.
+  std::string text;
+};
+
 /// A form of submission. A folder has this form if it contains a file with a matching name.
 struct Form {
   std::string has;  ///< The name, with * and ? as wildcards.
@@ -108,6 +115,7 @@ struct Form {
   std::string build;
   /// {file} stands for the file found, {program} for the program that was built.
   CandidateSpec program;
+  std::optional<Adapter> adapter = {};
 
   bool is_built_automatically() const { return build == "auto"; }
 };
@@ -142,8 +150,8 @@ struct Rubric {
   MethodPair bounds = kDefaultMethods;
   std::vector<Form> forms;
   std::vector<Item> items;
-  /// The scene files that the rubric names: their paths by name.
-  std::map<std::string, std::filesystem::path> scene_files;
+  /// The scenes and adapters that the rubric names: their paths by name.
+  std::map<std::string, std::filesystem::path> files;
 };
 
 /// Reads a rubric and the scenes that it names, which lie beside it or come with raycheck. If the

@@ -78,7 +78,7 @@ std::string rubric_file(const std::string& name) { return scene::file_text(path_
 std::string copy_rubric(const std::string& name, const std::string& out) {
   const fs::path from = path_of(name);
   const Rubric rubric = load_rubric(from);
-  std::map<std::string, fs::path> files = rubric.scene_files;
+  std::map<std::string, fs::path> files = rubric.files;
   files[from.filename().string()] = from;
   // A user's own changes are not overwritten.
   for (const auto& [file, source] : files) {
@@ -92,7 +92,7 @@ std::string copy_rubric(const std::string& name, const std::string& out) {
     OutputFile("out", to).write(scene::file_text(source));
   }
   return fmt::format("wrote {} and {}\n", (fs::path(out) / from.filename()).string(),
-                     count_text(rubric.scene_files.size(), "scene"));
+                     count_text(rubric.files.size(), "scene"));
 }
 
 std::uint64_t secret_seed(std::string_view secret, std::string_view name) {
