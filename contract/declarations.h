@@ -215,7 +215,8 @@ void for_each_declaration(SomeDeclarations& declared, Visit visit) {
   visit("tangent", conventions.tangent, "whether a double root is a hit");
   visit("roots", conventions.valid, "which roots count: ENDS T_MIN T_MAX UNIT CULLING");
   visit("level", declared.level, "how hard the cases are that it must get right");
-  visit("lengths", declared.lengths, "the nonzero lengths on which it is judged: SMALLEST LARGEST");
+  visit("lengths", declared.lengths,
+        "the lengths on which it is judged, within 2^-960 and inf: SMALLEST LARGEST");
   visit("precision", declared.precision, "the format that it computes in");
   for_each_choice(declared.interface, visit);
   for_each_tolerance(declared.tolerances, visit);

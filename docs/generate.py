@@ -360,7 +360,7 @@ def worst_input(asked, judged, family, quantity, searches):
     """The result of a search: the report of `worst`, its scene, and the certificate of its error, if there is one."""
     with tempfile.TemporaryDirectory() as folder:
         scene, certificates = pathlib.Path(folder, "found.toml"), pathlib.Path(folder, "found.jsonl")
-        found = json.loads(run_raycheck("worst", *asked, "--family", family, "--quantity", quantity, "--by", "bound",
+        found = json.loads(run_raycheck("worst", *asked, "--source", family, "--quantity", quantity, "--by", "bound",
                                         "--searches", searches, "--save", scene, "--format", "json"))
         if not found["measured"] or not found["error"] or found["error"] == "infinity":
             return None

@@ -41,10 +41,10 @@ CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
   command.add_flag("--i-know", arguments.knows,
                    "allow --sandbox none as root: candidates can then do anything that root can");
   constexpr std::array<std::string_view, 3> kSandboxNames = {"require", "available", "none"};
-  return add_named(
-      command, "--sandbox", arguments.sandbox, kSandboxNames,
-      "isolation of candidates; require: fail unless seccomp, bubblewrap and, as root, a separate "
-      "user work; available: use what works here; none: only limits");
+  return add_named(command, "--sandbox", arguments.sandbox, kSandboxNames,
+                   "isolation of the judged programs; require: fail unless seccomp, bubblewrap "
+                   "and, as root, a separate "
+                   "user work; available: use what works here; none: only limits");
 }
 
 Sandbox sandbox_of(const SandboxArguments& arguments) {

@@ -289,10 +289,12 @@ std::string refused_value_text(std::string_view text) {
 std::string refusal_text(const CLI::ParseError& error, const CLI::App& app) {
   const auto commands = app.get_subcommands();
   const CLI::App& command = commands.empty() ? app : *commands.front();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+  // A misspelt option may be the one that is missing.
+  const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if (is_missing || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     if (std::string text = unexpected_text(command); !text.empty()) return text;
   }
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && commands.empty()) {
+  if (is_missing && commands.empty()) {
     return "give a command: " + scene::joined(kCommands, ", ", &CommandRow::name);
   }
   if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
@@ -324,7 +326,10 @@ int exit_code(bool was_interrupted, bool found, bool checked) {
 }
 
 std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked) {
-  program.formatter(std::make_shared<HelpFormatter>());
+  const auto formatter = std::make_shared<HelpFormatter>();
+  formatter->label("SUBCOMMAND", "COMMAND");
+  formatter->label("Subcommands", "Commands");
+  program.formatter(formatter);
   program.description("An exact reference for camera rays and ray-sphere intersections");
   program.set_version_flag("--version", std::string(kVersion));
   program.require_subcommand(1);

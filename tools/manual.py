@@ -97,7 +97,7 @@ def main():
     own = sections["Options"]
     files = {}
     commands = []
-    for name, said in sections["Subcommands"]:
+    for name, said in sections["Commands"]:
         _, its = help_of(program, name)
         commands.append((name, said, its["Options"]))
         positionals = [head.split()[0] for head, _ in its["Positionals"]]

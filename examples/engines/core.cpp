@@ -14,9 +14,9 @@ struct Exact {
 static Exact exact(const Vector& v) { return {Expr(v.x), Expr(v.y), Expr(v.z)}; }
 static Expr dot(const Exact& a, const Exact& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// The double nearest to x / y, up to 2^-kBits of it. Domain: y != 0. It divides approximations of
-/// x and y, since within a quotient CORE returns fewer bits of a large number's square root than
-/// requested, and since CORE's conversion to double truncates.
+/// x / y with a relative error of at most 2^-kBits, rounded to double. Domain: y != 0. It divides
+/// approximations of x and y, since within a quotient CORE returns fewer bits of a large number's
+/// square root than requested, and since CORE's conversion to double truncates.
 static double rounded_quotient(const Expr& x, const Expr& y) {
   constexpr long kBits = 96;
   if (x.isZero()) return 0;

@@ -1,6 +1,6 @@
 // Embree's rtcOccluded1 on a sphere point in a separate scene, in floats: tfar is -inf for a hit.
 // Debian: libembree-dev; -lembree3. Source: the Embree 3 manual, RTC_GEOMETRY_TYPE_SPHERE_POINT and
-// rtcOccluded1. Silent on tangents; directions of any length.
+// rtcOccluded1. The manual does not mention tangents. Directions have any length.
 
 #include "embree.h"
 

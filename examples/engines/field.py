@@ -299,7 +299,7 @@ class Page:
         if "package" in engine:
             where = f"Package: {engine['package']} {self.version}."
         source = f" Source: {engine['source']}." if "package" in engine else ""
-        return f"{where} Language: {language}. Contract: {engine['contract']}.{source}"
+        return f"{where} Language: {language}. Contract (it takes; it returns; other terms): {engine['contract']}.{source}"
 
     def text(self):
         engine = self.engine
@@ -307,7 +307,7 @@ class Page:
                  self.origin() + (f" Judged on {self.lengths}." if self.lengths else ""), "",
                  "The wrong answers, by level; each line has only the cases of that level (the laws [scaling and axes](../laws.md) are listed, but not illustrated below):", ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
-        lines += ["", "The hardest severity up to which class, root, s and Q are right (for *grazing*, the distance of rays from tangency):", ""]
+        lines += ["", "The hardest severity up to which class, root, s and Q are right (for *grazing*, the distance of rays from tangency; cases of other sources are not in this list):", ""]
         texts = {source: self.frontier_text(source) for source in FRONTIERS}
         off = {"tangency": " r from tangency", "inside": " r from the centre"}
         lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source].replace(' of r', off.get(source, ''))}" for source, (title, _) in FRONTIERS.items()]

@@ -1,7 +1,7 @@
 // geometric_shapes' (ROS, MoveIt) bodies::Sphere::intersectsRay, in doubles: the intersections in
 // order along the ray; one is requested. Debian: libgeometric-shapes-dev; -lgeometric_shapes.
-// Source: geometric_shapes/bodies.h, by which unit directions are only faster (UNIT selects the
-// reading that they are required). Silent on tangents and on its epsilon, an absolute 1e-9.
+// Source: geometric_shapes/bodies.h: unit directions are only faster (with the macro UNIT, the
+// adapter takes them as required). It does not mention tangents, nor its epsilon, an absolute 1e-9.
 
 #include <geometric_shapes/bodies.h>
 #include <geometric_shapes/shapes.h>

@@ -1,5 +1,5 @@
-// GLM's intersectRaySphere with a position and a normal, in doubles; its parameter is named a
-// normalized direction. Debian: libglm-dev. Source: glm/gtx/intersect.hpp. For what is undocumented
+// GLM's intersectRaySphere with a position and a normal, in doubles; the direction is documented
+// as normalized. Debian: libglm-dev. Source: glm/gtx/intersect.hpp. For what is undocumented
 // see glm.cpp.
 
 #define GLM_ENABLE_EXPERIMENTAL

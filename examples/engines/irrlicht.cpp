@@ -1,7 +1,8 @@
 // Irrlicht's line3d::getIntersectionWithSphere (in doubles; irrlicht-float.cpp: in floats): "the
 // distance to the first intersection point" from the line's start. Debian: libirrlicht-dev.
-// Source: irrlicht/line3d.h. A line is given by two points, here kFar directions apart. Silent on
-// tangents, and on whether the line ends at these points (it does not).
+// Source: irrlicht/line3d.h. A line is given by two points, here the origin and
+// origin + kFar direction. Tangents are not mentioned, nor whether the line ends at these points
+// (it does not).
 
 #include <irrlicht/line3d.h>
 

@@ -17,7 +17,7 @@ RAYCHECK_INTERSECT_BY(Textbook)
 /// The general parametric approach as textbooks print it, b^2 - 4ac.
 const IntersectMethod kQuadratic = {
     .name = "quadratic",
-    .sentence = "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
+    .sentence = "s = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
     RAYCHECK_FUNCTIONS(Textbook),
     .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::Textbook>,
     .max_ulp = 128,

@@ -50,7 +50,7 @@ const PixelRayMethod kIncrementalRays = {
     .max_point_ulp = 256,
     .max_direction_ulp = 256,
     .max_unit_defect_ulp = 4,
-    .not_kept = "the last column, which may miss `right` by roundings; bounds far wider than near",
+    .not_kept = "the last column; images whose left, right, bottom or top is much larger than near",
 };
 
 }  // namespace raycheck::fast

@@ -176,7 +176,7 @@ void leave_out_without_hits(Trial& trial, Verdict& verdict) {
   });
   verdict.leave_out(!has_exact   ? "no ray hits a sphere"
                     : has_common ? "the candidate finds no hit at the right root"
-                                 : "the candidate misses every hit");
+                                 : "the candidate finds no hit to compare");
 }
 
 void judge_root(Trial& trial, Verdict& verdict) {

@@ -102,11 +102,11 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
   }
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
-         "d^2 loses its digits (" +
-         (radii < 10 ? "near tangents"
-                     : "in the cases examined from 10^" + std::to_string(power_of_ten(radii)) +
-                           " radii on") +
-         "), because it is the difference of much larger numbers; r^2 - |T x D|^2 keeps them";
+         "d^2 loses its digits" + (radii < 10 ? " (near tangents)" : "") +
+         ", because it is the difference of much larger numbers; r^2 - |T x D|^2 keeps them" +
+         (radii < 10 ? ""
+                     : " (the wrong cases examined are at 10^" +
+                           std::to_string(power_of_ten(radii)) + " radii or more)");
 }
 
 void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,

@@ -153,8 +153,9 @@ void Visibility::Impl::require_few_parts() const {
                               std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
 }
 
-/// The spheres of each reach cover the image several times as often as those of the reach before.
-/// The estimate is from a sample of spheres.
+/// A reach is a range of distances. The spheres up to the end of the first cover the image about
+/// kTimesOver times, those up to the end of each further one kGrowth times as often as before. The
+/// estimate is from a sample of spheres.
 void Visibility::Impl::set_reaches() {
   constexpr std::size_t kSamples = 4096;
   constexpr double kTimesOver = 32, kGrowth = 4;

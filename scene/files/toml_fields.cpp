@@ -1,5 +1,7 @@
 #include "scene/files/toml_fields.h"
 
+#include <algorithm>
+
 #include "scene/number.h"
 #include "scene/text.h"
 
@@ -131,6 +133,16 @@ class Quoter {
   bool expects_value_ = false;
 };
 
+/// ": radius = abc": the line of this number, counted from 1; empty if it has no text.
+std::string line_text(std::string_view text, std::size_t number) {
+  for (std::size_t at = 1; at < number; ++at) {
+    text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+  }
+  text = text.substr(0, text.find_first_of("\r\n"));
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string_view::npos ? "" : ": " + std::string(text.substr(first));
+}
+
 std::string spelled(const toml::node& node) {
   if (const auto* text = node.as_string()) {
     return parse_number(text->get()) ? text->get() : '"' + text->get() + '"';
@@ -159,7 +171,12 @@ toml::table parse_toml(std::string_view text, std::string_view file) {
   try {
     return toml::parse(Quoter(text, located).quoted());
   } catch (const toml::parse_error& error) {
-    located.fail(error.source().begin.line, "not valid TOML", error.description());
+    const std::size_t line = error.source().begin.line;
+    constexpr std::string_view kNoValue = "could not determine value type";
+    const bool has_no_value = error.description().ends_with(kNoValue);
+    located.fail(line, "not valid TOML" + line_text(text, line),
+                 has_no_value ? "the value is neither a number nor true, false or in quotes"
+                              : error.description());
   }
 }
 

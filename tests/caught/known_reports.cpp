@@ -35,8 +35,8 @@ Hit point_at_a_radius(const Ray& ray, const Sphere& sphere, const Conventions& c
   return hit;
 }
 
-/// s is measured from the origin in the sphere's space (centred, in radii) to a point in world
-/// space.
+/// s is the distance of two points in different coordinates: the ray's origin in the sphere's (its
+/// centre at 0, its radius 1), and the hit point in the world's.
 Hit measured_from_a_moved_origin(const Ray& ray, const Sphere& sphere,
                                  const Conventions& conventions) {
   Hit hit = right(ray, sphere, conventions);

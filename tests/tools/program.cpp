@@ -130,7 +130,7 @@ std::vector<std::string> all_commands() {
   static const std::regex line("\n  ([a-z]+) ");
   std::vector<std::string> names;
   for (std::sregex_iterator
-           at(help.begin() + static_cast<long>(help.find("Subcommands:")), help.end(), line),
+           at(help.begin() + static_cast<long>(help.find("Commands:")), help.end(), line),
        end;
        at != end; ++at) {
     names.push_back((*at)[1]);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/candidates/reference_methods.h"
 #include "scene/text.h"
 #include "tools/commands/list.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 std::string caveat(std::string_view not_kept) {
   if (not_kept.empty()) return "\n";
-  return fmt::format("\n  {:<17} bounds may be exceeded: {}\n", "", not_kept);
+  return fmt::format("\n  {:<17} error bounds may be exceeded: {}\n", "", not_kept);
 }
 
 /// The range of lengths of a method, if it has one; empty for most methods.
@@ -62,6 +63,11 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
     text += fmt::format("  {:<17} {}\n  {:<17} bounds: {}{}{}{}", method->name, method->sentence,
                         "", promised_text(*method), method->exact_class ? "; exact class" : "",
                         lengths(method->domain), caveat(method->not_kept));
+  }
+  text +=
+      "\nexact methods, and methods with fewer digits, by the reference's code (--intersect):\n";
+  for (const auto* method : properties::exact_methods()) {
+    text += fmt::format("  {:<19} {}\n", method->name, method->sentence);
   }
   text += fmt::format(
       "\nBounds hold up to the condition number {}, above which they grow in proportion, and for "

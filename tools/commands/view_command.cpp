@@ -149,12 +149,12 @@ std::string view_text(const ViewDocument& document, const std::string& file, std
 
 int run_view(const ViewArguments& arguments) {
   if (arguments.scene.empty() == arguments.family.empty()) {
-    throw std::invalid_argument("view: give a scene, or --family NAME for a source of cases");
+    throw std::invalid_argument("view: give a scene, or --source NAME for a source of cases");
   }
   if (!arguments.family.empty() && !(arguments.dialect.empty() && arguments.rays.empty() &&
                                      arguments.pixels.empty() && arguments.sphere.empty())) {
     throw std::invalid_argument(
-        "--family: cannot be combined with --dialect, --rays, --pixel or --sphere");
+        "--source: cannot be combined with --dialect, --rays, --pixel or --sphere");
   }
   if (arguments.out.empty() && arguments.format != "json") {
     throw std::invalid_argument("view: give --out FILE.html, or --format json");
@@ -183,7 +183,7 @@ CommandRun add_view(CLI::App& command) {
   ViewArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
   command.add_option(
-      "--family", arguments.family,
+      "--source,--family", arguments.family,
       "a source of cases in place of a scene; the page shows a scene at each severity");
   add_cases(command, arguments.cases, "the number of cases at each severity of a source");
   add_seed(command, arguments.seed);

@@ -230,8 +230,10 @@ class Conversation {
       if (!first || begins_introduction(*first)) throw;
     }
     if (first && !begins_introduction(*first)) {
-      throw ProtocolError(
-          fmt::format("its first line is '{}', not 'raycheck 1 NAME'", shown(*first)));
+      throw ProtocolError(fmt::format(
+          "its first line is '{}', not 'raycheck 1 NAME'; print only replies to standard "
+          "output, and other text to standard error",
+          shown(*first)));
     }
     introduction_ = parse_introduction(text);
     introduction_heard_ = true;
@@ -373,10 +375,13 @@ External introduced(std::string name, const Confined& program,
     const std::string printed = last_line_text(error_output);
     if (printed.starts_with(kOfWorker)) throw CandidateError(printed.substr(kOfWorker.size()));
     const bool is_silent = failure.kind() == FailureKind::kEnded && error_output.empty();
-    throw CandidateError(fmt::format("it {}{}{}{}", failure.what(),
-                                     is_silent ? " before it printed 'raycheck 1 NAME'" : "",
-                                     printed, limit_text(error_output, program.limits)),
-                         all.find('\n') == std::string::npos ? "" : all);
+    throw CandidateError(
+        fmt::format("it {}{}{}{}", failure.what(),
+                    is_silent ? " before it printed 'raycheck 1 NAME'; a program that uses "
+                                "raycheck_candidate must end with a call of run()"
+                              : "",
+                    printed, limit_text(error_output, program.limits)),
+        all.find('\n') == std::string::npos ? "" : all);
   } catch (const ProtocolError& error) {
     throw CandidateError(error.what());
   }

@@ -90,9 +90,9 @@ CommandRun add_properties(CLI::App& command) {
                      "repeated");
   add_named(
       command, "--level", options.level, properties::kLevelNames,
-      "the hardest cases that are tried: ordinary, demanding or extreme (default: the level "
-      "that the candidate declares, else ordinary for external candidates, "
-      "and demanding for raycheck's methods, or ordinary for those that do not keep all bounds)");
+      "the hardest cases that are tried, besides those of a --source with a severity: ordinary, "
+      "demanding or extreme (default: what the candidate declares, else demanding for raycheck's "
+      "methods that keep all their bounds, and ordinary for all others)");
   // A replay string already determines law, methods and source.
   add_shards(command, given->shards);
   for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {

@@ -72,7 +72,7 @@ std::string finding_text(const CampaignReport& campaign, bool colours) {
   return std::string(name(campaign.finding));
 }
 
-/// "1000 cases, 1712 comparisons, 3 excused; of the cases: 12 left out, the reason of the last:
+/// "1000 cases, 1712 comparisons, 3 excused; of the cases: 12 left out, the last because
 /// no ray hits a sphere"
 std::string counts_text(const CampaignResult& result) {
   const properties::CaseCounts& counts = result.counts;
@@ -91,8 +91,8 @@ std::string counts_text(const CampaignResult& result) {
     parts += fmt::format("; {} outside its domain, not judged", counts.not_judged);
   }
   if (counts.left_out > 0) {
-    parts += fmt::format("; {} left out, {}: {}", counts.left_out,
-                         counts.left_out == 1 ? "reason" : "the reason of the last", counts.reason);
+    parts += fmt::format("; {} left out, {}because {}", counts.left_out,
+                         counts.left_out == 1 ? "" : "the last ", counts.reason);
   }
   return parts.empty() ? text : text + "; of the cases: " + parts.substr(2);
 }
@@ -113,6 +113,12 @@ void add_law(const CampaignReport& campaign, std::string& laws) {
   laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
 }
 
+bool has_one_candidate(const PropertiesReport& report) {
+  return std::ranges::all_of(report.campaigns, [&](const CampaignReport& campaign) {
+    return campaign.candidate == report.campaigns.front().candidate;
+  });
+}
+
 /// The laws that were left out, one line for each reason: "  frame, look-at, up: the candidate does
 /// not implement frame()".
 std::string left_out_text(const PropertiesReport& report) {
@@ -130,9 +136,7 @@ std::string left_out_text(const PropertiesReport& report) {
     if (known == all.end()) known = all.insert(known, {campaign.candidate, reason, ""});
     add_law(campaign, known->laws);
   }
-  const bool is_one = std::ranges::all_of(report.campaigns, [&](const CampaignReport& campaign) {
-    return campaign.candidate == report.campaigns.front().candidate;
-  });
+  const bool is_one = has_one_candidate(report);
   std::string text;
   for (const auto& [candidate, reason, laws] : all) {
     text += fmt::format("{}  {}{}: {}\n", text.empty() ? "left out:\n" : "",
@@ -428,7 +432,9 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   }
   text += left_out_text(report);
   if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
-  text += fmt::format("laws: {} broken", report.failures());
+  text += fmt::format("{}: {} broken",
+                      has_one_candidate(report) ? "laws" : "pairs of a law and a candidate",
+                      report.failures());
   for (const Finding finding : {Finding::kUndecided, Finding::kTooFewJudged, Finding::kNotJudged,
                                 Finding::kHolds, Finding::kLeftOut}) {
     const std::uint64_t count = report.count(finding);

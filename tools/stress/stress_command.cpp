@@ -68,7 +68,8 @@ int run_stress(StressArguments& arguments) {
 CommandRun add_stress(CLI::App& command) {
   const auto given = std::make_shared<StressArguments>();
   StressOptions& options = given->options;
-  command.add_option("--family", options.families, "only these sources, separated by commas")
+  command
+      .add_option("--source,--family", options.families, "only these sources, separated by commas")
       ->delimiter(',');
   add_methods(command, given->methods);
   command.add_option(

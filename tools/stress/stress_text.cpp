@@ -165,15 +165,18 @@ std::string rendered(const StressReport& report, Markup markup) {
   if (curves <= kMostSummed) {
     text += fmt::format(
         "{0}slope: the power of 10^severity (or 2^severity) with which the error grows\n"
-        "{0}missed, false: all such wrong decisions, also excused and undecided ones\n",
+        "{0}missed, false: all such wrong decisions, also excused and undecided ones\n"
+        "{0}other defects: no answer, or a wrong root or sphere\n",
         item);
   }
   if (curves <= kMostDetailed) {
     text += fmt::format(
         "{0}decisions: the judged hits, misses and choices of a root; answers: the measured "
         "numbers\n"
-        "{0}backward u: the largest backward error, in u\n",
-        item);
+        "{0}backward u: the largest backward error, in u\n"
+        "{0}exact, accurate: off by at most 1/2, and by at most {1} units; ill-conditioned: by "
+        "more, but rho is at most {2:g}; unstable: rho is larger\n",
+        item, properties::kAccurateError, properties::kStableRatio);
   }
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {

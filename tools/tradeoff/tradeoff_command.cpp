@@ -24,7 +24,7 @@ int run_tradeoff(TradeoffArguments& arguments) {
   TradeoffOptions& options = arguments.options;
   options.dialect = parse_dialect(arguments.dialect);
   for (const std::string& name : arguments.sources) {
-    options.sources.push_back(parse_source("--family", name));
+    options.sources.push_back(parse_source("--source", name));
   }
   std::optional<OutputFile> view = opened("--view", arguments.view);
   options.implementations = find_by_stages(arguments.methods, arguments.external);
@@ -47,7 +47,7 @@ CommandRun add_tradeoff(CLI::App& command) {
   CLI::Option* const family =
       command
           .add_option(
-              "--family", given->sources,
+              "--source,--family", given->sources,
               "the sources of the random cases, separated by commas (default: rays,cameras)")
           ->delimiter(',')
           ->excludes(scene);

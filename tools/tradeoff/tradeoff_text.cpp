@@ -127,7 +127,8 @@ std::string legend(std::string_view item, bool has_single) {
       "change of the inputs by {1:g} u would make right\n"
       "{0}bound: the error bound that the method documents up to the condition number {2:g}, above "
       "which it grows in proportion; audited: the largest value of error / max(1, condition "
-      "number / {2:g}); it must not exceed the bound\n"
+      "number / {2:g}), which is within the bound, except for methods that do not keep theirs "
+      "(`raycheck list`)\n"
       "{0}stable: no defect, and rho = error / ((1 + kappa) u) is at most {3:g}; kappa is the "
       "condition number\n"
       "{0}outside: inputs outside the method's stated domain\n",

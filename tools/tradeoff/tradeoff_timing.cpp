@@ -189,8 +189,10 @@ std::vector<RaysCall> pixel_batches_of(const std::vector<Case>& cases) {
 }
 
 std::string only_part(std::size_t part, std::size_t whole) {
-  return part == whole ? ""
-                       : fmt::format("timed on the {} of {} inputs in its domain", part, whole);
+  return part == whole
+             ? ""
+             : fmt::format("timed on the {} of the first {} inputs that are in its domain", part,
+                           whole);
 }
 
 /// The timed calls of a candidate: with one item each, and in batches.

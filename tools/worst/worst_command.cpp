@@ -71,7 +71,9 @@ CommandRun add_worst(CLI::App& command) {
   WorstOptions& options = given->options;
   CLI::Option* const method = command.add_option("--method", given->method,
                                                  "the method that makes rays or intersects them");
-  command.add_option("--family", options.family, "the source to start from, or SOURCE@SEVERITY")
+  command
+      .add_option("--source,--family", options.family,
+                  "the source to start from, or SOURCE@SEVERITY")
       ->required();
   command.add_option(
       "--quantity", options.quantity,

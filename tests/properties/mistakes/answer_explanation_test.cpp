@@ -571,14 +571,16 @@ TEST(AnswerExplanation, OfLostDigitsNamesTheTermAndTheDistance) {
     EXPECT_TRUE(sentences.front().starts_with(said)) << sentences.front();
   };
   expect([](auto&, auto&, auto& T, double v, double r) { return r * r - (dot(T, T) - v * v); },
-         "d^2 loses its digits (in the cases examined from 10^");
+         "d^2 loses its digits, because it is the difference of much larger numbers; "
+         "r^2 - |T x D|^2 keeps them (the wrong cases examined are at 10^");
   // (r + l)(r - l)
   expect(
       [](auto&, auto&, auto& T, double v, double r) {
         const double l = std::sqrt(dot(T, T) - v * v);
         return (r + l) * (r - l);
       },
-      "d^2 loses its digits (in the cases examined from 10^");
+      "d^2 loses its digits, because it is the difference of much larger numbers; "
+      "r^2 - |T x D|^2 keeps them (the wrong cases examined are at 10^");
   expect([](auto& L, auto& C, auto&, double v,
             double r) { return r * r - (dot(C, C) - 2 * dot(L, C) + dot(L, L) - v * v); },
          "|C - L|^2 loses its digits far from the world's origin");

@@ -201,6 +201,10 @@ TEST(ReadToml, LocatesSyntaxErrors) {
     EXPECT_TRUE(has(error, ": not valid TOML: ")) << line;
     EXPECT_GE(std::stoi(error.substr(7)), 3) << line << "\n" << error;
   }
+  EXPECT_EQ(
+      error_of_toml("[camera]\r\n  near = abc\r\nleft = 1"),
+      "f.toml:2: not valid TOML: near = abc: the value is neither a number nor true, false or "
+      "in quotes");
 }
 
 TEST(WriteToml, IsReadable) {

@@ -214,7 +214,7 @@ TEST(Candidate, in_Python_reports_its_errors_with_their_lines) {
   expect_parts(refusal_of(candidate("rc.run('mine', interset=print)\n")),
                {"no such function: interset; the functions are frame, pixel_point"});
   expect_parts(refusal_of(candidate("print('hello')\nrc.run('mine', nearest=print)\n")),
-               {"its first line is 'hello', not 'raycheck 1 NAME'"});
+               {"its first line is 'hello', not 'raycheck 1 NAME'; print only"});
 }
 
 TEST(Candidate, in_JavaScript_reports_its_errors) {

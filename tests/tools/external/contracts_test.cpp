@@ -184,7 +184,8 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect
   const Outcome outcome =
       run("properties --level demanding --cases 300 --candidate " + compiled(source));
   EXPECT_EQ(outcome.exit_code, 1);
-  expect_parts(outcome.out, {"loses its digits (in the cases examined from 10^"});
+  expect_parts(outcome.out,
+               {"d^2 loses its digits, because", "(the wrong cases examined are at 10^"});
   EXPECT_FALSE(has(outcome.out, "directions are taken for unit vectors"));
 }
 

@@ -77,9 +77,8 @@ const std::vector<Mistake> kOfPictures = {
     {"upside_down", 105, "pixel (0, 0)", "rows are upside down", 2},
     {"mirrored", 103, "pixel (0, 0), robustness", "columns are mirrored", 3},
     {"cancelling", 108, "robustness",
-     "d^2 loses its digits (in the cases examined from 10^8 radii on), because it is the "
-     "difference of much larger numbers; "
-     "r^2 - |T x D|^2 keeps them",
+     "d^2 loses its digits, because it is the difference of much larger numbers; "
+     "r^2 - |T x D|^2 keeps them (the wrong cases examined are at 10^8 radii or more)",
      1},
     {"left_and_right_negated", 103, "boundary pixels, robustness",
      "left and right are both negated, or: U has the wrong sign", 4},

@@ -161,7 +161,10 @@ TEST_F(GradeCommand, fails_with_2_and_grades_nothing) {
   grading.write("elsewhere/mine/rays.py", "");
   const std::string out = " --out '" + grading.path("out") + "'";
   const std::string asked = std::string("grade ") + kLecture7 + " " + mine;
-  expect_refused(asked + " " + again + out, again + ": " + mine + " has the same name, mine");
+  expect_refused(
+      asked + " " + again + out,
+      again + ": " + mine +
+          " has the same name, mine, under which results are stored; rename one of them");
   expect_refused(asked + out + " --secret-file '" + grading.write("empty", "") + "'", "is empty");
   expect_refused(asked + " --out '" + taken + "'", taken + "/mine: cannot be made: ");
   EXPECT_FALSE(fs::exists(grading.path("out")));

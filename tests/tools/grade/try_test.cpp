@@ -99,7 +99,7 @@ TEST(TryCommand, shows_every_submission_and_fails_if_one_does) {
     const Outcome tried = run("try '" + rubric + "' " + both, 1);
     expect_parts(tried.out, {"\nright: 10 of 10\n", "\nwrong: 0 of 10\n", "mistake: s >= 0",
                              "to repeat it, save it as nearest-root.toml:\n"});
-    // Nothing is written, and several steps decide whether there is a hit.
+    // Without --out no file is written; `goes wrong at` needs a single step that decides.
     for (const char* part : {"wrote ", "goes wrong at"}) EXPECT_FALSE(has(tried.out, part));
     expect_parts(tried.err, {"submissions: 2 of 2 done: "});
   }
@@ -122,6 +122,22 @@ TEST(TryCommand, names_the_function_that_is_missing_and_what_to_do) {
   const std::string page = contents(grading.path("tried/few/report.html"));
   expect_parts(page, {"Hint: Write pixel_point(), and add it", "Hint: Write pixel_ray(), and add"});
   for (const char* part : {"Print P.", "Print D."}) EXPECT_FALSE(has(page, part)) << part;
+}
+
+TEST(TryCommand, names_the_file_names_for_functions_if_another_has_them) {
+  const Grading grading;
+  const std::string called = "import raycheck_candidate as rc\nrc.run('anna', nearest=print)\n";
+  for (const char* name : {"anna.py", "anna.cpp"}) {
+    const Outcome tried = run(std::string("try ") + kLecture7 + " '" +
+                              grading.hand_in("in", name, called) + "/" + name + "'");
+    expect_parts(tried.out,
+                 {std::string(name) + " uses raycheck_candidate, but this rubric takes "
+                                      "functions only from rays.cpp, rays.py, "
+                                      "rays.ipynb, Rays.java: rename it; as a renderer"});
+  }
+  const Outcome drawn = run(std::string("try ") + kLecture7 + " '" +
+                            grading.hand_in("no", "rt.py", "import sys\nsys.exit(1)\n") + "'");
+  EXPECT_FALSE(has(drawn.out, "rename it")) << drawn.out;
 }
 
 /// What a submission declares must not take an item's subject away.

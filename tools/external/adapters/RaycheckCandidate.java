@@ -100,7 +100,7 @@ public abstract class RaycheckCandidate {
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.US_ASCII));
     String greeting = lines.readLine();
     if (greeting == null || !greeting.startsWith("raycheck ")) {
-      throw new IOException("started without raycheck: 'raycheck 1' is missing on standard input");
+      throw new IOException("not started by --candidate: 'raycheck 1' is missing on standard input");
     }
     StringBuilder said = new StringBuilder("raycheck 1 " + name + "\n");
     for (Name function : FUNCTIONS) {

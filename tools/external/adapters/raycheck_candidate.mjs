@@ -149,7 +149,7 @@ export async function run(name, given) {
   }
   const { returns = "hit" } = given;
   const lines = linesOf(process.stdin);
-  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: started without raycheck: 'raycheck 1' is missing on standard input");
+  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: not started by --candidate: 'raycheck 1' is missing on standard input");
   reply(`${[...said, "ready"].join("\n")}\n`);
   for (let first = await lines.next(); !first.done; first = await lines.next()) {
     const request = await readRequest(lines, first.value);

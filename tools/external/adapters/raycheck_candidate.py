@@ -169,7 +169,7 @@ def run(name="-", **given):
     replies, sys.stdout = sys.stdout, sys.stderr
     lines = iter(sys.stdin)
     if not next(lines, "").startswith("raycheck "):
-        sys.exit("raycheck_candidate.run: started without raycheck: "
+        sys.exit("raycheck_candidate.run: not started by --candidate: "
                  "'raycheck 1' is missing on standard input")
     said = [f"raycheck 1 {name}"]
     said += dict.fromkeys(f"function {function.removesuffix('_batch')}" for function in functions)

@@ -11,9 +11,9 @@ namespace raycheck::tools {
 /// A scene whose picture most mistakes do not change. Five equal spheres are ahead, in a cross;
 /// five more are behind the eye and five between the eye and the image plane, and programs that
 /// wrongly draw these show the same picture. The plane is at distance 1, where directions are
-/// nearly unit vectors and programs that misread d are right. The numbers of the spheres ahead are
-/// integers, which every program reads. The picture is the same if it is rotated by 90 degrees or
-/// mirrored.
+/// nearly unit vectors, and programs that misread the distance of the plane are right. The numbers
+/// of the spheres ahead are integers, which every program reads. The picture is the same if it is
+/// rotated by 90 degrees or mirrored.
 scene::Scene symmetric_scene();
 
 /// The symmetric scene, ten times as large; all its numbers are integers.

@@ -156,7 +156,11 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
     const auto [other, is_new] = known.try_emplace(name, given);
     if (!is_new) {
       throw std::invalid_argument(
-          fmt::format("{}: {} has the same name, {}", given, other->second, name));
+          given == other->second
+              ? fmt::format("{}: is given twice", given)
+              : fmt::format("{}: {} has the same name, {}, under which results are stored; rename "
+                            "one of them",
+                            given, other->second, name));
     }
     found.push_back({name, path});
   }

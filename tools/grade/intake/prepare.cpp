@@ -137,7 +137,7 @@ struct Intake {
   Sources sources;
   FittingForm fitting;
   RunOptions options;
-  const DriverRule& driver;
+  const Rubric& rubric;
   Store* store;  ///< Null: nothing is stored.
 };
 
@@ -216,7 +216,8 @@ void ask_in_its_form(RunnableSubmission& runnable, const Intake& intake, const f
   const StartingFolder& start = *(renderer.program.start = intake.sources.start);
   renderer.wrapper = without_hand_in(renderer.program, folder);
   if (!start.links.empty()) renderer.program.readable.push_back(start.linked->path());
-  const DryRun& found = runnable.found.dry_run.emplace(dry_run(renderer, intake.driver, control));
+  const DryRun& found =
+      runnable.found.dry_run.emplace(dry_run(renderer, intake.rubric.driver, control));
   if (found.refusal) throw SubmissionError(*found.refusal, runnable.found);
   renderer.driver = found.driver;
   renderer.colours = found.colours;
@@ -275,6 +276,29 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
   }
 }
 
+/// The error of a submission that cannot be run as a renderer. If it uses raycheck's interface for
+/// functions, its file only has another name than the rubric wants.
+SubmissionError as_misnamed(const SubmissionError& error, const Intake& intake) {
+  if (intake.fitting.form.program.kind != CandidateKind::kRenderer) return error;
+  std::vector<std::string> names;
+  for (const Form& form : intake.rubric.forms) {
+    if (form.program.kind != CandidateKind::kRenderer) names.push_back(form.has);
+  }
+  if (names.empty()) return error;
+  for (const auto& [name, file] : intake.sources.files) {
+    for (const char* used : {"raycheck_candidate", "raycheck/candidate", "RaycheckCandidate"}) {
+      if (file.text.find(used) == std::string::npos) continue;
+      return {
+          {fmt::format("{} uses {}, but this rubric takes functions only from {}: rename it; as "
+                       "a renderer, {}",
+                       name, used, scene::joined(names, ", "), error.refusal().why),
+           error.refusal().said},
+          error.found()};
+    }
+  }
+  return error;
+}
+
 /// Searches the ways to build the submission and, for each program, the form that it reads.
 RunnableSubmission best_program(const Intake& intake, const properties::RunControl& control) {
   std::optional<RunnableSubmission> best;
@@ -302,7 +326,7 @@ RunnableSubmission best_program(const Intake& intake, const properties::RunContr
     }
     if (build.made.next_way == 0 || control.interrupted()) break;
   }
-  if (!best) throw SubmissionError(*farthest);
+  if (!best) throw as_misnamed(*farthest, intake);
   return std::move(*best);
 }
 
@@ -349,9 +373,9 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
     sources.digest = digest({sources.digest, adapter->name, adapter->text});
     lay_adapter(fitting.form, sources.folder->path());
   }
-  return best_program({std::move(sources), std::move(fitting), run_options(rubric, confinement),
-                       rubric.driver, store},
-                      control);
+  return best_program(
+      {std::move(sources), std::move(fitting), run_options(rubric, confinement), rubric, store},
+      control);
 } catch (const SubmissionError&) {
   throw;
 } catch (const fs::filesystem_error& error) {

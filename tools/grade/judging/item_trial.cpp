@@ -157,9 +157,10 @@ ItemReason why_unanswered(const Law& law, Trial& trial) {
   if (is_of_class || !compares_hits) return lacks_functions ? reason : ItemReason{};
   if (!has_hits(trial) || !(lacks_functions || misses_hits(trial))) return {};
   if (!lacks_functions) {
-    reason.said = law.quantity == properties::Quantity::kRoot
-                      ? "some hits are missed, and their roots were not compared"
-                      : "some hits are missed or have the wrong root, and were not compared";
+    reason.said =
+        law.quantity == properties::Quantity::kRoot
+            ? "some hits are missed; only the roots of the others were compared"
+            : "some hits are missed or have the wrong root; only the others were compared";
   }
   return reason;
 }

@@ -388,8 +388,7 @@ std::string file_name(std::string_view item) {
 }
 
 Rubric load_rubric(const fs::path& path, const std::string& dialect) {
-  Rubric rubric =
-      RubricReader(fs::exists(path) ? path : shipped_rubric(path).value_or(path)).read();
+  Rubric rubric = RubricReader(fs::exists(path) ? path : rubric_path(path)).read();
   if (dialect.empty()) return rubric;
   try {
     rubric.driver = driver_rule(dialect);

@@ -158,11 +158,13 @@ struct Rubric {
 /// file does not exist, reads the rubric of that name that comes with raycheck. A `dialect` that is
 /// not empty replaces the rubric's [driver] (see driver_rule()).
 /// Errors: scene::SceneFileError naming file, line, field and value; std::invalid_argument naming
-/// the dialect.
+/// the dialect, or a file that does not exist.
 Rubric load_rubric(const std::filesystem::path& path, const std::string& dialect = "");
 
 /// The path of a shipped rubric; the name may end in ".toml". Empty: there is no such rubric.
 std::optional<std::filesystem::path> shipped_rubric(const std::filesystem::path& name);
+/// The same. Errors: std::invalid_argument with the names of the shipped rubrics.
+std::filesystem::path rubric_path(const std::filesystem::path& name);
 
 /// The path of a scene that comes with the shipped rubrics; empty if there is no such scene.
 std::optional<std::filesystem::path> shipped_scene(const std::filesystem::path& name);

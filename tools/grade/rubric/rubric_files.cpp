@@ -9,6 +9,7 @@
 
 #include "scene/files/file_text.h"
 #include "scene/invalid_input.h"
+#include "scene/text.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/output_file.h"
@@ -30,22 +31,15 @@ std::optional<fs::path> if_file(const fs::path& path) {
   return fs::is_regular_file(path) ? std::optional(path) : std::nullopt;
 }
 
-/// The names of the shipped rubrics, without ".toml", sorted.
+/// The file names of the shipped rubrics, sorted.
 std::vector<std::string> shipped_rubrics() {
   std::vector<std::string> names;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(shipped_folder(), none)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
   }
   std::ranges::sort(names);
   return names;
-}
-
-fs::path path_of(const std::string& name) {
-  if (const auto path = shipped_rubric(name)) return *path;
-  throw std::invalid_argument(
-      fmt::format("rubric {}: raycheck has no rubric of this name; it has {}", name,
-                  fmt::join(shipped_rubrics(), ", ")));
 }
 
 }  // namespace
@@ -54,6 +48,13 @@ std::optional<fs::path> shipped_rubric(const fs::path& name) {
   if (name.has_parent_path()) return {};
   const fs::path path = shipped_folder() / name;
   return if_file(path.extension() == ".toml" ? path : fs::path(path.string() + ".toml"));
+}
+
+fs::path rubric_path(const fs::path& name) {
+  if (const auto path = shipped_rubric(name)) return *path;
+  throw std::invalid_argument(fmt::format("{}: there is no such rubric; raycheck comes with {}",
+                                          scene::visible_line(name.string()),
+                                          fmt::join(shipped_rubrics(), ", ")));
 }
 
 std::optional<fs::path> shipped_scene(const fs::path& name) {
@@ -66,17 +67,17 @@ std::string rubrics_text() {
   for (const std::string& name : names) width = std::max(width, name.size());
   std::string text;
   for (const std::string& name : names) {
-    const Rubric rubric = load_rubric(path_of(name));
+    const Rubric rubric = load_rubric(rubric_path(name));
     text += fmt::format("{:<{}}  {}, {}\n", name, width, rubric.title,
                         count_text(rubric.items.size(), "item"));
   }
   return text;
 }
 
-std::string rubric_file(const std::string& name) { return scene::file_text(path_of(name)); }
+std::string rubric_file(const std::string& name) { return scene::file_text(rubric_path(name)); }
 
 std::string copy_rubric(const std::string& name, const std::string& out) {
-  const fs::path from = path_of(name);
+  const fs::path from = rubric_path(name);
   const Rubric rubric = load_rubric(from);
   std::map<std::string, fs::path> files = rubric.files;
   files[from.filename().string()] = from;
