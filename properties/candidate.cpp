@@ -83,6 +83,7 @@ Candidate declaring(const contract::Declarations& declared, std::string name,
   candidate.smallest_camera_length = candidate.smallest_length;
   candidate.largest_length = declared.lengths.largest;
   candidate.interface = declared.interface;
+  candidate.corners = declared.corners;
   return candidate;
 }
 

@@ -79,6 +79,8 @@ scene::Ray with_unit_direction(scene::Ray ray, Precision precision) {
 RoundedCase rounded_case(Case the_case, InputFormat format) {
   const Precision precision = format.precision;
   RoundedCase result;
+  scene::Samples& samples = the_case.scene.conventions.samples;
+  if (!format.corners && samples == scene::Samples::kCorners) samples = scene::Samples::kCentres;
   if (format.unit_directions) {
     for (scene::Ray& ray : the_case.scene.rays) {
       if (is_unit(ray.direction, precision)) continue;

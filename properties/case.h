@@ -32,32 +32,40 @@ using contract::name;
 
 /// The numbers that a candidate accepts: those of a format and, if it needs unit directions, only
 /// rays with directions of length 1 up to rounding; if it is given segments, only rays whose point
-/// at s = 1 is of the format, too.
+/// at s = 1 is of the format, too. Without corners, pixels are sampled at centres instead.
 struct InputFormat {
   constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
-                        const contract::Interface& interface = {})
+                        const contract::Interface& interface = {}, bool has_corners = true)
       : precision(its_precision),
+        corners(has_corners),
         unit_directions(interface.directions == contract::Directions::kUnit),
         segments(interface.rays == contract::RayForm::kEnd) {}
   scene::Precision precision;
-  bool unit_directions, segments;
+  bool corners, unit_directions, segments;
   bool operator==(const InputFormat&) const = default;
 };
 /// Segments have no unit directions.
 inline constexpr contract::Interface kUnitDirections = {.directions = contract::Directions::kUnit};
 inline constexpr contract::Interface kSegments = {.rays = contract::RayForm::kEnd};
-inline constexpr std::array<InputFormat, 6> kInputFormats = {
+inline constexpr std::array<InputFormat, 12> kInputFormats = {
     {{scene::Precision::kDouble},
      {scene::Precision::kDouble, kUnitDirections},
      {scene::Precision::kDouble, kSegments},
      {scene::Precision::kSingle},
      {scene::Precision::kSingle, kUnitDirections},
-     {scene::Precision::kSingle, kSegments}}};
+     {scene::Precision::kSingle, kSegments},
+     {scene::Precision::kDouble, {}, false},
+     {scene::Precision::kDouble, kUnitDirections, false},
+     {scene::Precision::kDouble, kSegments, false},
+     {scene::Precision::kSingle, {}, false},
+     {scene::Precision::kSingle, kUnitDirections, false},
+     {scene::Precision::kSingle, kSegments, false}}};
 /// Its index among them.
 constexpr std::size_t index_of(InputFormat format) {
-  return 3 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1
-                                                           : format.segments      ? 2
-                                                                                  : 0);
+  return (format.corners ? 0 : 6) + 3 * static_cast<std::size_t>(format.precision) +
+         (format.unit_directions ? 1
+          : format.segments      ? 2
+                                 : 0);
 }
 
 /// A case with all numbers rounded to those that a candidate accepts. Truth, law and candidate all
