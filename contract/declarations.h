@@ -126,6 +126,12 @@ void for_each_choice(SomeInterface& interface, Visit visit) {
         "the hit of a ray that starts inside: a root that counts, its start, or v - d");
 }
 
+/// Whether random cases ask for corners if `samples` is left to the scene. Code from before there
+/// were corners follows edges and centres only.
+enum class Corners { kUnasked, kAsAsked };
+inline constexpr std::array<std::string_view, 2> kCornersNames = {"unasked", "as-asked"};
+constexpr auto& names_of(Corners /*of*/) { return kCornersNames; }
+
 /// Which roots count, as public structs declare it: every one >= 0, those declared beside it, or
 /// those of the scene.
 enum class RootsOf { kUsual, kDeclared, kScene };
@@ -196,6 +202,7 @@ struct Declarations {
                                      .root = {},
                                      .tangent = {},
                                      .valid = scene::ValidRoots{}};
+  Corners corners = Corners::kUnasked;
   Level level = Level::kOrdinary;  ///< The level that it must reach.
   Lengths lengths;
   Tolerances tolerances;
@@ -209,7 +216,8 @@ template <scene::Either<Declarations> SomeDeclarations, class Visit>
 void for_each_declaration(SomeDeclarations& declared, Visit visit) {
   auto& conventions = declared.conventions;
   visit("rows", conventions.rows, "which image row is j = 0");
-  visit("samples", conventions.samples, "where a pixel is sampled: i/(w-1), or (i+1/2)/w");
+  visit("samples", conventions.samples, "where a pixel is sampled: i/(w-1), (i+1/2)/w, or i/w");
+  visit("corners", declared.corners, "whether random cases ask for samples corners, if it follows");
   visit("origin", conventions.origin, "where camera rays start: the pixel's point, or the eye");
   visit("root", conventions.root, "the hit: the smallest root that counts, or always v - d");
   visit("tangent", conventions.tangent, "whether a double root is a hit");

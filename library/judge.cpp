@@ -110,7 +110,7 @@ std::vector<Law> laws() {
 }
 
 std::vector<Check> checks(const Candidate& candidate) {
-  const properties::Candidate inside = library::inside(candidate);
+  const properties::Candidate inside = in_random_cases(library::inside(candidate));
   std::vector<Check> all;
   for (const properties::Law& law : properties::laws()) {
     for (const properties::CaseSource& source : properties::case_sources()) {
@@ -128,7 +128,7 @@ std::vector<Check> checks(const Candidate& candidate) {
 Verdict judge(const Candidate& candidate, const std::string& law_name, const std::string& source,
               const JudgeOptions& options) {
   const properties::Law& law = law_of(law_name);
-  const properties::Candidate inside = library::inside(candidate);
+  const properties::Candidate inside = in_random_cases(library::inside(candidate));
   properties::CampaignOptions asked;
   if (options.cases < 1) {
     throw std::invalid_argument(fmt::format("cases = {}: must be at least 1", options.cases));
@@ -167,7 +167,7 @@ Verdict judge_case(const Candidate& candidate, const std::string& law_name, cons
 
 Verdict replay(const Candidate& candidate, const std::string& text, const JudgeOptions& options) {
   const properties::Replay parsed = properties::parse_replay(text);
-  const properties::Candidate inside = library::inside(candidate);
+  const properties::Candidate inside = in_random_cases(library::inside(candidate));
   const CampaignResult result = run_replay(parsed, inside, options.max_error, options.strict);
   return verdict_of(result, *parsed.law, inside, telling_of(result));
 }

@@ -84,6 +84,7 @@ Candidate declaring(const contract::Declarations& declared, std::string name,
   candidate.largest_length = declared.lengths.largest;
   candidate.interface = declared.interface;
   candidate.tolerances = declared.tolerances;
+  candidate.corners = declared.corners;
   return candidate;
 }
 

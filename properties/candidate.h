@@ -162,8 +162,12 @@ struct Promises {
   scene::Precision precision = scene::Precision::kDouble;
   /// How it is called, and what it returns; adapted() converts between that and what laws need.
   contract::Interface interface = {};
-  InputFormat input_format() const { return {precision, interface}; }
   contract::Tolerances tolerances = {};  ///< Within these either answer is right.
+  contract::Corners corners = contract::Corners::kAsAsked;
+  bool is_in_random_cases = false;
+  InputFormat input_format() const {
+    return {precision, interface, !is_in_random_cases || corners == contract::Corners::kAsAsked};
+  }
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty without one.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// Its documented bound on rays made from a camera, where a hit inherits the error of its ray; if
@@ -218,6 +222,12 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
 /// A candidate without functions that declares this, judged by the bounds of another.
 Candidate declaring(const contract::Declarations& declared, std::string name,
                     const Candidate& bounds);
+
+/// The candidate as random cases ask it: about corners only if it follows them.
+inline Candidate in_random_cases(Candidate candidate) {
+  candidate.is_in_random_cases = true;
+  return candidate;
+}
 
 /// Converts a candidate with bounds in u of doubles to another format. Bounds are converted to u of
 /// that format: those of a method that computes in floats are divided by 2^29. In single precision,

@@ -164,6 +164,8 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
   const Precision precision = format.precision;
   RoundedCase result;
   if (fit_spheres(the_case.scene, format)) result.replaced = accepted(format.placement);
+  scene::Samples& samples = the_case.scene.conventions.samples;
+  if (!format.corners && samples == scene::Samples::kCorners) samples = scene::Samples::kCentres;
   if (format.unit_directions) {
     for (scene::Ray& ray : the_case.scene.rays) {
       if (is_unit(ray.direction, precision)) continue;

@@ -34,11 +34,13 @@ using contract::name;
 /// The inputs that a candidate accepts: numbers of a format and, if it needs unit directions, only
 /// rays with directions of length 1 up to rounding; if it is given segments, only rays whose point
 /// at s = 1 is of the format, too; spheres with this placement; cameras with these windows and, if
-/// it is given view directions, only cameras for which A - E is of the format.
+/// it is given view directions, only cameras for which A - E is of the format. Without corners,
+/// pixels are sampled at centres instead.
 struct InputFormat {
   constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
-                        const contract::Interface& interface = {})
+                        const contract::Interface& interface = {}, bool has_corners = true)
       : precision(its_precision),
+        corners(has_corners),
         unit_directions(interface.directions == contract::Directions::kUnit),
         segments(interface.rays == contract::RayForm::kEnd),
         placement(interface.placement),
@@ -47,7 +49,7 @@ struct InputFormat {
     if (segments) unit_directions = false;  // the direction follows from the ends
   }
   scene::Precision precision;
-  bool unit_directions, segments;
+  bool corners, unit_directions, segments;
   contract::Placement placement;
   contract::Windows windows;
   bool view_directions;
@@ -55,7 +57,7 @@ struct InputFormat {
 };
 inline constexpr auto kInputFormats = [] {
   using contract::Directions, contract::RayForm;
-  std::array<InputFormat, std::size_t{2} * 3 * 3 * 3 * 2> all;
+  std::array<InputFormat, std::size_t{2} * 3 * 3 * 3 * 2 * 2> all;
   for (std::size_t index = 0; index < all.size(); ++index) {
     std::size_t left = index;
     const auto next = [&left](std::size_t values) {
@@ -70,7 +72,8 @@ inline constexpr auto kInputFormats = [] {
                    .rays = rays == 2 ? RayForm::kEnd : RayForm::kDirection,
                    .placement = static_cast<contract::Placement>(next(3)),
                    .windows = static_cast<contract::Windows>(next(3)),
-                   .view = static_cast<contract::View>(next(2))}};
+                   .view = static_cast<contract::View>(next(2))},
+                  next(2) == 0};
   }
   return all;
 }();

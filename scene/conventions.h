@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 
@@ -9,8 +10,9 @@ namespace raycheck::scene {
 
 /// Which image row is j = 0.
 enum class Rows { kBottomFirst, kTopFirst };
-/// Where a pixel's point lies on the image plane: i/(w-1) or (i+1/2)/w of the way across.
-enum class Samples { kEdges, kCentres };
+/// Where a pixel's point lies on the image plane: i/(w-1), (i+1/2)/w or i/w of the way across; rows
+/// likewise, from the side of row 0.
+enum class Samples { kEdges, kCentres, kCorners };
 /// Where a camera ray starts: at the pixel point P, or at the eye E.
 enum class Origin { kPixel, kFocal };
 /// Which root is the hit: the smallest >= 0, or always v - d (if it is negative, the ray misses).
@@ -49,6 +51,20 @@ struct HitRule {
   Tangent tangent = Tangent::kHit;
 };
 
+/// A side of the image in equal steps. Pixel k is k + offset steps from the side of pixel 0, and
+/// `turned` - k + offset steps from the opposite side.
+struct PixelSteps {
+  double offset;  ///< 0 or 1/2
+  double steps;
+  double turned() const { return steps - 2 * offset; }
+};
+
+/// The steps of a row or column of this many pixels, which are exact.
+constexpr PixelSteps pixel_steps(Samples samples, std::int64_t count) {
+  return {samples == Samples::kCentres ? 0.5 : 0.0,
+          static_cast<double>(samples == Samples::kEdges ? count - 1 : count)};
+}
+
 /// The choices that the lecture leaves open; the first value of each is the default.
 struct Conventions {
   Rows rows = Rows::kBottomFirst;
@@ -64,7 +80,7 @@ struct Conventions {
 
 /// The names that scene files and reports use, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kRowsNames = {"bottom-first", "top-first"};
-inline constexpr std::array<std::string_view, 2> kSamplesNames = {"edges", "centres"};
+inline constexpr std::array<std::string_view, 3> kSamplesNames = {"edges", "centres", "corners"};
 inline constexpr std::array<std::string_view, 2> kOriginNames = {"pixel", "focal"};
 inline constexpr std::array<std::string_view, 2> kRootNames = {"nearest", "smaller"};
 inline constexpr std::array<std::string_view, 3> kTangentNames = {"hit", "miss", "either"};

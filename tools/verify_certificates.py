@@ -23,7 +23,7 @@ INFINITE = Fraction(2) ** 2046  # the square of an error that counts as infinite
 SOME_SPHERE = "a sphere"  # the answer of a picture that does not show which sphere it is
 CONVENTIONS = {
     "rows": ("bottom-first", "top-first"),
-    "samples": ("edges", "centres"),
+    "samples": ("edges", "centres", "corners"),
     "origin": ("pixel", "focal"),
     "root": ("nearest", "smaller"),
     "tangent": ("hit", "miss", "either"),
@@ -389,20 +389,19 @@ def camera_axes(camera, root):
     return U, cross(W, U), W
 
 
-def position(low, high, index, count, conventions):
-    edges = conventions["samples"] == "edges"
-    share = Fraction(index, count - 1) if edges else Fraction(2 * index + 1, 2 * count)
-    return number(low) + share * (number(high) - number(low))
+def position(first, last, index, count, samples):
+    steps = count - 1 if samples == "edges" else count
+    share = Fraction(2 * index + (samples == "centres"), 2 * steps)
+    return number(first) + share * (number(last) - number(first))
 
 
 def camera_ray(camera, pixel, conventions, root):
     """n W + alpha U + beta V, from E or from P. Its square is n^2 + alpha^2 + beta^2."""
-    (U, V, W), (i, row) = camera_axes(camera, root), pixel
-    if conventions["rows"] == "top-first":
-        row = camera["height"] - 1 - row
+    (U, V, W), (i, j), samples = camera_axes(camera, root), pixel, conventions["samples"]
+    rows = ("top", "bottom") if conventions["rows"] == "top-first" else ("bottom", "top")
     n = number(camera["near"])
-    alpha = position(camera["left"], camera["right"], i, camera["width"], conventions)
-    beta = position(camera["bottom"], camera["top"], row, camera["height"], conventions)
+    alpha = position(camera["left"], camera["right"], i, camera["width"], samples)
+    beta = position(*(camera[side] for side in rows), j, camera["height"], samples)
     g = plus(plus(times(n, W), times(alpha, U)), times(beta, V))
     a = n**2 + alpha**2 + beta**2
     eye = numbers(camera["eye"])

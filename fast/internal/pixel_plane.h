@@ -16,7 +16,10 @@ namespace raycheck::fast {
 /// A camera's axes, and alpha and beta of a pixel by the lecture's formulas.
 struct PixelPlane {
   PixelPlane(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
-      : camera(its_camera), conventions(its_conventions) {
+      : camera(its_camera),
+        conventions(its_conventions),
+        across(scene::pixel_steps(conventions.samples, camera.width)),
+        down(scene::pixel_steps(conventions.samples, camera.height)) {
     scene::require_valid(camera, conventions);
     const CameraFrame frame = camera_frame(camera);
     U = eigen(frame.U);
@@ -26,23 +29,23 @@ struct PixelPlane {
   }
 
   double alpha(const scene::Pixel& pixel) const {
-    return coordinate(pixel.i, camera.width, camera.left, camera.right);
+    return coordinate(pixel.i, across, camera.left, camera.right);
   }
   double beta(const scene::Pixel& pixel) const {
     const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-    return bottom_first ? coordinate(pixel.j, camera.height, camera.bottom, camera.top)
-                        : coordinate(pixel.j, camera.height, camera.top, camera.bottom);
+    return bottom_first ? coordinate(pixel.j, down, camera.bottom, camera.top)
+                        : coordinate(pixel.j, down, camera.top, camera.bottom);
   }
 
   const scene::Camera& camera;
   const scene::Conventions& conventions;
+  scene::PixelSteps across, down;
   Eigen::Vector3d U, V, W, E;
 
  private:
-  double coordinate(std::int64_t index, std::int64_t count, double first, double last) const {
-    const double position = conventions.samples == scene::Samples::kEdges
-                                ? static_cast<double>(index) / static_cast<double>(count - 1)
-                                : (static_cast<double>(index) + 0.5) / static_cast<double>(count);
+  static double coordinate(std::int64_t index, const scene::PixelSteps& along, double first,
+                           double last) {
+    const double position = (static_cast<double>(index) + along.offset) / along.steps;
     return first + position * (last - first);
   }
 };

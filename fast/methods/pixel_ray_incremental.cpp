@@ -13,9 +13,7 @@ class Incremental : PixelPlane {
  public:
   Incremental(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
       : PixelPlane(its_camera, its_conventions) {
-    const bool edges = conventions.samples == scene::Samples::kEdges;
-    const auto steps = static_cast<double>(edges ? camera.width - 1 : camera.width);
-    step_ = ((camera.right - camera.left) / steps) * U;
+    step_ = ((camera.right - camera.left) / across.steps) * U;
   }
 
   PixelTrace<Eigen::Vector3d> trace(const scene::Pixel& pixel) {
@@ -39,7 +37,7 @@ class Incremental : PixelPlane {
 
 }  // namespace
 
-/// `direct`, but g is increased by du = (right - left)/(w-1) U along a row, at most
+/// `direct`, but g is increased by du, a step of (right - left)/steps U, along a row, at most
 /// kIncrementalTile times. The bounds allow for these steps.
 const PixelRayMethod kIncrementalRays = {
     .name = "incremental",

@@ -13,7 +13,11 @@ Vector3f single(const Triple& value) {
 class Single {
  public:
   Single(const scene::Camera& camera, const scene::Conventions& conventions)
-      : camera_(camera), conventions_(conventions), E_(single(camera.eye)) {
+      : camera_(camera),
+        conventions_(conventions),
+        across_(scene::pixel_steps(conventions.samples, camera.width)),
+        down_(scene::pixel_steps(conventions.samples, camera.height)),
+        E_(single(camera.eye)) {
     scene::require_valid(camera, conventions);
     const Vector3f to_eye = E_ - single(camera.look_at);
     const Vector3f W = to_eye / to_eye.norm();
@@ -25,10 +29,9 @@ class Single {
 
   PixelTrace<Vector3f> trace(const scene::Pixel& pixel) const {
     const bool bottom_first = conventions_.rows == scene::Rows::kBottomFirst;
-    const float alpha = coordinate(pixel.i, camera_.width, camera_.left, camera_.right);
-    const float beta = bottom_first
-                           ? coordinate(pixel.j, camera_.height, camera_.bottom, camera_.top)
-                           : coordinate(pixel.j, camera_.height, camera_.top, camera_.bottom);
+    const float alpha = coordinate(pixel.i, across_, camera_.left, camera_.right);
+    const float beta = bottom_first ? coordinate(pixel.j, down_, camera_.bottom, camera_.top)
+                                    : coordinate(pixel.j, down_, camera_.top, camera_.bottom);
     PixelTrace<Vector3f> trace;
     trace.along = to_plane_ + alpha * U_ + beta * V_;
     trace.point = E_ + trace.along;
@@ -36,17 +39,18 @@ class Single {
   }
 
  private:
-  float coordinate(std::int64_t index, std::int64_t count, double from, double to) const {
+  static float coordinate(std::int64_t index, const scene::PixelSteps& along, double from,
+                          double to) {
     const auto first = static_cast<float>(from);
     const auto last = static_cast<float>(to);
-    const float position = conventions_.samples == scene::Samples::kEdges
-                               ? static_cast<float>(index) / static_cast<float>(count - 1)
-                               : (static_cast<float>(index) + 0.5F) / static_cast<float>(count);
+    const float position = (static_cast<float>(index) + static_cast<float>(along.offset)) /
+                           static_cast<float>(along.steps);
     return first + position * (last - first);
   }
 
   const scene::Camera& camera_;
   const scene::Conventions& conventions_;
+  scene::PixelSteps across_, down_;
   Vector3f E_, U_, V_, to_plane_;
 };
 

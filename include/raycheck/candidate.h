@@ -59,12 +59,17 @@ typedef struct raycheck_hit {
 } raycheck_hit;
 
 /* The conventions that a scene asks for or a candidate declares. A candidate that declares
-   AS_ASKED follows the scene. */
+   AS_ASKED follows the scene; random cases ask it for corners only if its contract has
+   "corners as-asked". */
 enum { RAYCHECK_AS_ASKED = 0 };
 enum { RAYCHECK_ROWS_BOTTOM_FIRST = 1, RAYCHECK_ROWS_TOP_FIRST = 2 }; /* which row is j = 0 */
-enum { RAYCHECK_SAMPLES_EDGES = 1, RAYCHECK_SAMPLES_CENTRES = 2 };    /* i/(w-1), (i+1/2)/w */
-enum { RAYCHECK_ORIGIN_PIXEL = 1, RAYCHECK_ORIGIN_FOCAL = 2 };        /* start: pixel's P, eye E */
-enum { RAYCHECK_ROOT_NEAREST = 1, RAYCHECK_ROOT_SMALLER = 2 };        /* s >= 0, or smaller root */
+enum {
+  RAYCHECK_SAMPLES_EDGES = 1,   /* i/(w-1) */
+  RAYCHECK_SAMPLES_CENTRES = 2, /* (i+1/2)/w */
+  RAYCHECK_SAMPLES_CORNERS = 3  /* i/w */
+};
+enum { RAYCHECK_ORIGIN_PIXEL = 1, RAYCHECK_ORIGIN_FOCAL = 2 }; /* start: pixel's P, eye E */
+enum { RAYCHECK_ROOT_NEAREST = 1, RAYCHECK_ROOT_SMALLER = 2 }; /* s >= 0, or smaller root */
 enum { RAYCHECK_TANGENT_HIT = 1, RAYCHECK_TANGENT_MISS = 2, RAYCHECK_TANGENT_EITHER = 3 };
 
 typedef struct raycheck_conventions {

@@ -55,8 +55,9 @@ struct Hit {
 
 /// Which row of pixels is j = 0.
 enum class Rows { as_asked, bottom_first, top_first };
-/// Where in its column or row a pixel's point lies: i/(w-1) or (i+1/2)/w of the way across.
-enum class Samples { as_asked, edges, centres };
+/// Where a pixel's point lies: i/(w-1), (i+1/2)/w or i/w of the way across; rows likewise, from the
+/// side of row 0.
+enum class Samples { as_asked, edges, centres, corners };
 /// Where rays start: at the pixel's point P or at the eye E.
 enum class Origin { as_asked, pixel, focal };
 /// Which root is the hit. nearest: the smallest root >= 0. smaller: the smaller root; if it is

@@ -116,7 +116,9 @@ double axial_distance(const Ray& ray, const Point3& centre) {
 scene::Conventions any_conventions(Random& random) {
   scene::Conventions conventions;
   if (random.one_in(2)) conventions.rows = scene::Rows::kTopFirst;
-  if (random.one_in(3)) conventions.samples = scene::Samples::kCentres;
+  const std::int64_t samples = random.integer(1, 6);
+  if (samples == 1) conventions.samples = scene::Samples::kCentres;
+  if (samples == 4) conventions.samples = scene::Samples::kCorners;
   if (random.one_in(3)) conventions.origin = scene::Origin::kFocal;
   if (random.one_in(4)) conventions.root = scene::Root::kSmaller;
   if (random.one_in(4)) conventions.tangent = scene::Tangent::kMiss;

@@ -26,10 +26,8 @@ PixelAim aim_through(const scene::Scene& scene, const Pixel& pixel) {
   const Camera& camera = *scene.camera;
   const auto [U, V, W] = Axes(camera);
   const auto share = [&](std::int64_t index, std::int64_t count) {
-    const auto position = static_cast<double>(index);
-    return scene.conventions.samples == scene::Samples::kEdges
-               ? position / static_cast<double>(count - 1)
-               : (position + 0.5) / static_cast<double>(count);
+    const auto [offset, steps] = scene::pixel_steps(scene.conventions.samples, count);
+    return (static_cast<double>(index) + offset) / steps;
   };
   const double down = share(pixel.j, camera.height);
   const double alpha = camera.left + share(pixel.i, camera.width) * (camera.right - camera.left);

@@ -218,13 +218,18 @@ void judge_image_plane(Trial& trial, Verdict& verdict) {
 
 void judge_centre_pixel(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
-  if (camera.width % 2 == 0 || camera.height % 2 == 0) {
-    return verdict.leave_out("an even image has no centre pixel");
+  const auto last = [&](std::int64_t count) {
+    return static_cast<std::int64_t>(
+        scene::pixel_steps(trial.conventions().samples, count).turned());
+  };
+  const Pixel last_pixel = {last(camera.width), last(camera.height)};
+  if (last_pixel.i % 2 != 0 || last_pixel.j % 2 != 0) {
+    return verdict.leave_out("no pixel is in the middle of the image");
   }
   if (camera.left != -camera.right || camera.bottom != -camera.top) {
     return verdict.leave_out("the bounds are not symmetric");
   }
-  const PlaneAnswers answers(trial, camera, {{camera.width / 2, camera.height / 2}});
+  const PlaneAnswers answers(trial, camera, {{last_pixel.i / 2, last_pixel.j / 2}});
   const Enclosure3 position = answers.position(0);
   const Enclosure off_axis = norm(Enclosure3{position.x, position.y, Enclosure(0)});
   answers.measure(verdict, 0, relative(off_axis, answers.size_of_point(0)),
@@ -260,7 +265,7 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
 void judge_density(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   if (trial.conventions().samples != scene::Samples::kEdges) {
-    return verdict.leave_out("samples at pixel centres lie elsewhere in a denser image");
+    return verdict.leave_out("samples at pixel centres or corners lie elsewhere in a denser image");
   }
   if (std::max(camera.width, camera.height) > scene::kMostPixelsAcross / 2) {
     return verdict.leave_out("an image of twice the density would be too large");

@@ -116,6 +116,7 @@ Mistake exchanged_steps() {
 
 std::vector<Mistake> convention_mistakes() {
   using scene::Root;
+  using scene::Rows;
   using scene::Samples;
   using scene::Tangent;
   const auto of = [](auto member, auto value) {
@@ -126,6 +127,13 @@ std::vector<Mistake> convention_mistakes() {
                          of(&Conventions::samples, Samples::kCentres), Step::kPixelPoint),
       convention_mistake("pixels are sampled from edge to edge",
                          of(&Conventions::samples, Samples::kEdges), Step::kPixelPoint),
+      convention_mistake(
+          "rows are upside down: j/h counts from the other side of the image",
+          [](Conventions& asked) {
+            if (asked.samples != Samples::kCorners) return;  // elsewhere `up` is the same
+            asked.rows = asked.rows == Rows::kTopFirst ? Rows::kBottomFirst : Rows::kTopFirst;
+          },
+          Step::kPixelPoint),
       convention_mistake("rays start at the eye, so that spheres before the image plane are seen",
                          of(&Conventions::origin, Origin::kFocal), Step::kRay),
       convention_mistake("rays start on the image plane, so that spheres before it are not seen",
@@ -149,12 +157,6 @@ std::vector<Mistake> convention_mistakes() {
           Step::kIntersect)};
 }
 
-/// The number of steps from the first pixel of a row or column to the last, under the samples
-/// convention.
-double steps(std::int64_t pixels, const Conventions& conventions) {
-  return static_cast<double>(conventions.samples == scene::Samples::kEdges ? pixels - 1 : pixels);
-}
-
 /// Stretches the image; the bound where i = 0 (j = 0) stays.
 void stretch_columns(Camera& camera, double factor) {
   camera.right = camera.left + (camera.right - camera.left) * factor;
@@ -166,17 +168,15 @@ void stretch_rows(Camera& camera, const Conventions& conventions, double factor)
   last = first + (last - first) * factor;
 }
 
-/// Replaces i/(w-1), or (i+1/2)/w, by i/w or, one pixel further, by (i+1)/w. `first` and `last` are
-/// the positions of the first and the last pixel between two bounds.
+/// Replaces i/(w-1), (i+1/2)/w or i/w by i/w or, one pixel further, by (i+1)/w. `first` and `last`
+/// are the bounds, that of the first pixel first.
 void step_by_count(double& first, double& last, std::int64_t pixels, const Conventions& conventions,
                    bool is_next) {
-  const double step = (last - first) / static_cast<double>(pixels);
-  if (conventions.samples == scene::Samples::kEdges) {
-    (is_next ? first : last) += is_next ? step : -step;
-  } else {
-    first += is_next ? step / 2 : -step / 2;
-    last += is_next ? step / 2 : -step / 2;
-  }
+  const auto [offset, steps] = scene::pixel_steps(conventions.samples, pixels);
+  const auto count = static_cast<double>(pixels);
+  const double step = (last - first) / count, further = (is_next ? 1 : 0) - offset;
+  first += further * step;
+  last += (further + steps - count) * step;
 }
 
 /// alpha(i) = left + i/(w-1) (right - left), or with i/w, or with (i+1)/w; similarly beta(j).
@@ -254,7 +254,8 @@ std::vector<Mistake> step_mistakes() {
   };
   const auto with_steps = [](auto change) {
     return [change](Camera& its, const Conventions& c) {
-      change(its, c, steps(its.width, c), steps(its.height, c));
+      change(its, c, scene::pixel_steps(c.samples, its.width).steps,
+             scene::pixel_steps(c.samples, its.height).steps);
     };
   };
   return {

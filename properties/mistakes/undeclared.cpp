@@ -20,8 +20,9 @@ template <class Value>
 void add(std::string_view name, std::optional<Value> DeclaredConventions::*member,
          const DeclaredConventions& declared, std::vector<Followed>& all) {
   if (declared.*member) return;
-  // `either` is not tried, because under it tangents are not judged.
-  for (const Value value : {Value{0}, Value{1}}) {
+  for (std::size_t k = 0; k < names_of(Value{}).size(); ++k) {
+    const auto value = static_cast<Value>(k);
+    if (scene::name(value) == "either") continue;  // under it tangents are not judged
     Followed one{std::string(name) + " = " + std::string(scene::name(value)), {}};
     one.declared.*member = value;
     all.push_back(std::move(one));

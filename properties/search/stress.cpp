@@ -101,8 +101,10 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
 
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             std::vector<StressResult>& results) {
-  for (const InputFormat format : kInputFormats)
-    stress(the_case, stage, candidates, format, results);
+  for (const InputFormat format : kInputFormats) {
+    if (std::ranges::count(candidates, format, &Candidate::input_format) > 0)
+      stress(the_case, stage, candidates, format, results);
+  }
 }
 
 std::vector<StressResult> stress(const ChosenSource& source, Stage stage,

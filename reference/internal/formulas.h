@@ -79,22 +79,25 @@ CameraNumbers<typename Lift::Kernel> camera_numbers(const Lift& lift, const scen
   return {inputs, camera_axes(inputs)};
 }
 
-/// A pixel's index along one side of the image, and the number of pixels there.
+/// A pixel's index along one side of the image, and the steps there.
 struct PixelIndex {
-  std::int64_t index;
-  std::int64_t count;
+  double index;
+  scene::PixelSteps steps;
+  bool is_from_high;
 };
 
-/// low + index/(count-1) (high - low), or low + (index+1/2)/count (high - low). Multiplying before
-/// dividing makes the enclosure of a dyadic coordinate exact; 0 is the most important case.
+/// low + (index + offset)/steps (high - low), where the index may count from `high`. Multiplying
+/// before dividing makes the enclosure of a dyadic coordinate exact; 0 is the most important case.
 template <class FT, class Lift>
-FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, PixelIndex at,
-                    scene::Samples samples) {
+FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, const PixelIndex& at) {
+  const auto [offset, steps] = at.steps;
+  const double index = at.is_from_high ? at.steps.turned() - at.index : at.index;
+  const int parts = offset == 0 ? 1 : 2;  // of a step
+  const auto count = [&](double x) {
+    return lift_count(lift, static_cast<std::int64_t>(parts * x));
+  };
   const FT extent = high - low;
-  if (samples == scene::Samples::kEdges) {
-    return low + lift_count(lift, at.index) * extent / lift_count(lift, at.count - 1);
-  }
-  return low + lift_count(lift, 2 * at.index + 1) * extent / lift_count(lift, 2 * at.count);
+  return low + count(index + offset) * extent / count(steps);
 }
 
 /// alpha(i) and beta(j) of a pixel.
@@ -108,12 +111,13 @@ PlanePosition<typename K::FT> plane_position(const Lift& lift, const CameraInput
                                              const scene::Camera& camera,
                                              const scene::Conventions& conventions,
                                              const scene::Pixel& pixel) {
-  const std::int64_t row =
-      conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
-  return {
-      plane_coordinate(lift, inputs.left, inputs.right, {pixel.i, camera.width},
-                       conventions.samples),
-      plane_coordinate(lift, inputs.bottom, inputs.top, {row, camera.height}, conventions.samples)};
+  const auto at = [&](std::int64_t index, std::int64_t count, bool is_from_high) {
+    return PixelIndex{static_cast<double>(index), scene::pixel_steps(conventions.samples, count),
+                      is_from_high};
+  };
+  return {plane_coordinate(lift, inputs.left, inputs.right, at(pixel.i, camera.width, false)),
+          plane_coordinate(lift, inputs.bottom, inputs.top,
+                           at(pixel.j, camera.height, conventions.rows == scene::Rows::kTopFirst))};
 }
 
 /// n W + alpha U + beta V: from the eye to the pixel point.

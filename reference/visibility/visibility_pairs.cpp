@@ -12,15 +12,13 @@ Pair pair(const DoubleDouble& x) { return {x.high(), x.low()}; }
 
 PairAxis::PairAxis(double low, double high, std::int64_t pixels, scene::Samples samples)
     : first(low),
+      turned(scene::pixel_steps(samples, pixels).turned()),
       count(static_cast<double>(pixels)),
       most(std::max(std::abs(low), std::abs(high))) {
   const DoubleDouble extent = DoubleDouble(high) - DoubleDouble(low);
-  if (samples == scene::Samples::kCentres) {
-    step = extent / DoubleDouble(count);
-    first += extent / DoubleDouble(2 * count);
-  } else {
-    step = extent / DoubleDouble(count - 1);
-  }
+  const auto [offset, steps] = scene::pixel_steps(samples, pixels);
+  step = extent / DoubleDouble(steps);
+  if (offset != 0) first += extent / DoubleDouble(steps / offset);
 }
 
 /// index * step is at most 2 * most. The rounding error of a sum of DoubleDouble is a share of its
@@ -78,9 +76,9 @@ PairRays PairView::rays(const TileRays& same, std::int64_t first_column,
   rays.first_column = static_cast<double>(first_column);
   const std::int64_t rows = std::min<std::int64_t>(Tile::kHeight, camera_.height - first_row);
   for (std::int64_t k = 0; k < rows; ++k) {
-    const std::int64_t row = first_row + k, index = is_top_first_ ? camera_.height - 1 - row : row;
-    rays.beta[static_cast<std::size_t>(k)] =
-        pair(rows_.first + DoubleDouble(static_cast<double>(index)) * rows_.step);
+    const auto row = static_cast<double>(first_row + k);
+    const double index = is_top_first_ ? rows_.turned - row : row;
+    rays.beta[static_cast<std::size_t>(k)] = pair(rows_.first + DoubleDouble(index) * rows_.step);
   }
   return rays;
 }

@@ -15,6 +15,7 @@ namespace raycheck::reference {
 /// The positions of columns or rows along an axis of the image plane.
 struct PairAxis {
   DoubleDouble first, step;  ///< position = first + index step
+  double turned;             ///< The sum of a pixel's indices from either end.
   double count;
   double most;  ///< The largest |position|.
 

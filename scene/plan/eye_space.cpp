@@ -107,20 +107,17 @@ Axis across(const Camera& camera, const Axis& to_eye) {
   return {coordinate(1, 2), coordinate(2, 0), coordinate(0, 1)};
 }
 
-Bounds position_of(double index, const Bounds& low, const Bounds& high, std::int64_t count,
-                   Samples samples) {
-  const auto pixels = static_cast<double>(count);
-  const Bounds share = samples == Samples::kEdges
-                           ? Bounds::exactly(index) / Bounds::exactly(pixels - 1)
-                           : Bounds::exactly(index + 0.5) / Bounds::exactly(pixels);
-  return low + share * (high - low);
+Bounds position_of(double index, const PixelAxis& axis) {
+  const auto& [offset, steps] = axis.pixels;
+  const double from_first = axis.reversed ? axis.pixels.turned() - index : index;
+  return axis.first + Bounds::exactly(from_first + offset) / Bounds::exactly(steps) * axis.extent;
 }
 
 }  // namespace
 
 EyeSpace::EyeSpace(const Camera& camera, const Conventions& conventions, const Scaling& scaling,
                    bool general)
-    : camera_(camera), conventions_(conventions), scaling_(scaling) {
+    : camera_(camera), scaling_(scaling) {
   const Axis w = scaled_near_one(difference(camera.eye, camera.look_at));
   const Axis u = scaled_near_one(across(camera, w));
   axis_aligned_ = !general && along_world_axis(w, W_) && along_world_axis(u, U_);
@@ -131,15 +128,13 @@ EyeSpace::EyeSpace(const Camera& camera, const Conventions& conventions, const S
   } else {
     along_world_axis(cross(W_, U_), V_);
   }
-  const auto axis = [this](double low, double high, std::int64_t count) {
-    const bool centred = conventions_.samples == Samples::kCentres;
-    const auto last = static_cast<double>(count - 1);
+  const auto axis = [&](double low, double high, std::int64_t count) {
     const Bounds first = on_plane(low);
-    return PixelAxis{first, on_plane(high) - first, centred ? last + 1 : last, last, centred};
+    return PixelAxis{first, on_plane(high) - first, pixel_steps(conventions.samples, count)};
   };
   columns_ = axis(camera.left, camera.right, camera.width);
   rows_ = axis(camera.bottom, camera.top, camera.height);
-  rows_.reversed = conventions_.rows == Rows::kTopFirst;
+  rows_.reversed = conventions.rows == Rows::kTopFirst;
 }
 
 EyeSphere EyeSpace::sphere(const Sphere& sphere) const {
@@ -153,17 +148,9 @@ Bounds EyeSpace::on_plane(double position) const {
 
 Bounds EyeSpace::near() const { return on_plane(camera_.near); }
 
-Bounds EyeSpace::alpha(double column) const {
-  return position_of(column, on_plane(camera_.left), on_plane(camera_.right), camera_.width,
-                     conventions_.samples);
-}
+Bounds EyeSpace::alpha(double column) const { return position_of(column, columns_); }
 
-Bounds EyeSpace::beta(double row) const {
-  const double from_bottom =
-      conventions_.rows == Rows::kBottomFirst ? row : static_cast<double>(camera_.height - 1) - row;
-  return position_of(from_bottom, on_plane(camera_.bottom), on_plane(camera_.top), camera_.height,
-                     conventions_.samples);
-}
+Bounds EyeSpace::beta(double row) const { return position_of(row, rows_); }
 
 Bounds EyeSpace::column(const Bounds& alpha) const { return index_of(columns_, alpha); }
 

@@ -31,9 +31,7 @@ using EyeSphere = EyeSphereOf<Bounds>;
 /// The columns (or rows) of the image plane.
 struct PixelAxis {
   Bounds first, extent;   ///< The position where the plane begins, and its length.
-  double pixels = 0;      ///< The length divided by the distance of neighbouring samples.
-  double last = 0;        ///< The last index.
-  bool centred = false;   ///< Samples are at the centres of pixels.
+  PixelSteps pixels;      ///< The steps of its length.
   bool reversed = false;  ///< Indices count from the other end.
 };
 
@@ -85,7 +83,6 @@ class EyeSpace {
   Bounds on_plane(double position) const;
 
   Camera camera_;
-  Conventions conventions_;
   Scaling scaling_;
   Axis U_, V_, W_;
   PixelAxis columns_, rows_;

@@ -59,9 +59,9 @@ EyeSphereOf<BoundsOf<N>> seen_from(const EyeSpace& eye, const std::array<N, 3>& 
 template <class N>
 BoundsOf<N> index_of(const PixelAxis& axis, const BoundsOf<N>& position) {
   const BoundsOf<N> share = (position - in_all<N>(axis.first)) / in_all<N>(axis.extent);
-  BoundsOf<N> index = times_positive(share, exactly<N>(axis.pixels));
-  if (axis.centred) index = index - exactly<N>(0.5);
-  return axis.reversed ? exactly<N>(axis.last) - index : index;
+  BoundsOf<N> index = times_positive(share, exactly<N>(axis.pixels.steps));
+  if (axis.pixels.offset != 0) index = index - exactly<N>(axis.pixels.offset);
+  return axis.reversed ? exactly<N>(axis.pixels.turned()) - index : index;
 }
 
 /// The slopes x/z of the directions with z > 0 whose half-lines from 0 meet a disc; sets `none` if

@@ -20,21 +20,24 @@ Frame frame(const Camera& camera) {
   return {out(u), out(w.cross(u)), out(w)};
 }
 
-double position(double low, double high, double index, double count, Samples samples) {
-  return samples == Samples::centres ? low + (high - low) * ((index + 0.5) / count)
-                                     : low + (high - low) * (index / (count - 1));
+double position(double first, double last, double index, double count, Samples samples) {
+  const double share = samples == Samples::centres   ? (index + 0.5) / count
+                       : samples == Samples::corners ? index / count
+                                                     : index / (count - 1);
+  return first + (last - first) * share;
 }
 
 /// P - E
 Vector3 sight(const Camera& camera, const Conventions& asked, Pixel pixel) {
   const auto [u, v, w] = frame(camera);
   const double column = static_cast<double>(pixel.i);
-  double row = static_cast<double>(pixel.j);
+  const double row = static_cast<double>(pixel.j);
   const double width = static_cast<double>(camera.width);
   const double height = static_cast<double>(camera.height);
-  if (asked.rows == Rows::top_first) row = height - 1 - row;
+  const bool top_first = asked.rows == Rows::top_first;
   const double alpha = position(camera.left, camera.right, column, width, asked.samples);
-  const double beta = position(camera.bottom, camera.top, row, height, asked.samples);
+  const double beta = position(top_first ? camera.top : camera.bottom,
+                               top_first ? camera.bottom : camera.top, row, height, asked.samples);
   return camera.near_plane * in(w) + alpha * in(u) + beta * in(v);
 }
 
@@ -83,4 +86,5 @@ std::optional<std::size_t> nearest(const Ray& ray, const std::vector<Sphere>& sp
 }  // namespace
 
 RAYCHECK_CANDIDATE(.frame = frame, .pixel_point = pixel_point, .pixel_ray = pixel_ray,
-                   .focal_ray = focal_ray, .intersect = intersect, .nearest = nearest)
+                   .focal_ray = focal_ray, .intersect = intersect, .nearest = nearest,
+                   .contract = "corners as-asked")

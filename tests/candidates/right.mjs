@@ -14,13 +14,14 @@ function frame(camera) {
   return [u, cross(w, u), w];
 }
 
-const across = (low, high, k, n, samples) => low + (high - low) * (samples === "centres" ? (k + 0.5) / n : k / (n - 1));
+const shares = { edges: (k, n) => k / (n - 1), centres: (k, n) => (k + 0.5) / n, corners: (k, n) => k / n };
+const across = (first, last, k, n, samples) => first + (last - first) * shares[samples](k, n);
 
 function sight(camera, asked, [i, j]) {
   const [u, v, w] = frame(camera);
-  const row = asked.rows === "top-first" ? camera.height - 1 - j : j;
+  const [first, last] = asked.rows === "top-first" ? ["top", "bottom"] : ["bottom", "top"];
   const alpha = across(camera.left, camera.right, i, camera.width, asked.samples);
-  const beta = across(camera.bottom, camera.top, row, camera.height, asked.samples);
+  const beta = across(camera[first], camera[last], j, camera.height, asked.samples);
   return add(times(camera.near, w), add(times(alpha, u), times(beta, v)));
 }
 
@@ -52,4 +53,4 @@ function nearest(ray, spheres, asked) {
 }
 
 console.log("hello");
-run("right", { frame, pixelPoint, pixelRay, focalRay, intersect, nearest });
+run("right", { frame, pixelPoint, pixelRay, focalRay, intersect, nearest, corners: "as-asked" });

@@ -44,19 +44,20 @@ def frame(camera):
     return cross(v, w), v, w
 
 
-def position(low, high, index, count, samples):
-    share = (index + 0.5) / count if samples == "centres" else index / (count - 1)
-    return low + share * (high - low)
+def position(first, last, index, count, samples):
+    offset, steps = {"edges": (0, count - 1), "centres": (0.5, count), "corners": (0, count)}[samples]
+    return first + (index + offset) / steps * (last - first)
 
 
 def sight(camera, asked, pixel):
     """P - E, without the rounding of P."""
     i, j = pixel
     u, v, w = frame(camera)
+    first, last = camera.bottom, camera.top
     if asked.rows == "top-first":
-        j = camera.height - 1 - j
+        first, last = last, first
     alpha = position(camera.left, camera.right, i, camera.width, asked.samples)
-    beta = position(camera.bottom, camera.top, j, camera.height, asked.samples)
+    beta = position(first, last, j, camera.height, asked.samples)
     return add(add(times(camera.near, w), times(alpha, u)), times(beta, v))
 
 
@@ -99,4 +100,4 @@ def nearest(ray, spheres, asked):
 
 if __name__ == "__main__":
     rc.run("right", frame=frame, pixel_point=pixel_point, pixel_ray=pixel_ray,
-           focal_ray=focal_ray, intersect=intersect, nearest=nearest)
+           focal_ray=focal_ray, intersect=intersect, nearest=nearest, corners="as-asked")

@@ -61,6 +61,8 @@ def main():
     camera = right.rc.Camera(eye, look, up, near, left, right_, bottom, top, width, height)
     if MISTAKE == "near-root-only":
         Asked.root = "smaller"
+    if MISTAKE == "corners":
+        Asked.samples = "corners"
     ray = right.focal_ray if MISTAKE == "from-eye" else right.pixel_ray
     lines = [[nearest(ray(camera, Asked, (i, height - 1 - line)), spheres)
               for i in range(width)] for line in range(height)]

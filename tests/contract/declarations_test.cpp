@@ -86,7 +86,7 @@ testing::AssertionResult has_enumerators(int first, int last, Enum value = {}) {
 
 TEST(PublicStructs, have_the_enumerators_of_raycheck_in_C_and_in_CPlusPlus) {
   EXPECT_TRUE(has_enumerators<scene::Rows>(1, RAYCHECK_ROWS_TOP_FIRST));
-  EXPECT_TRUE(has_enumerators<scene::Samples>(1, RAYCHECK_SAMPLES_CENTRES));
+  EXPECT_TRUE(has_enumerators<scene::Samples>(1, RAYCHECK_SAMPLES_CORNERS));
   EXPECT_TRUE(has_enumerators<scene::Origin>(1, RAYCHECK_ORIGIN_FOCAL));
   EXPECT_TRUE(has_enumerators<scene::Root>(1, RAYCHECK_ROOT_SMALLER));
   EXPECT_TRUE(has_enumerators<scene::Tangent>(1, RAYCHECK_TANGENT_EITHER));
@@ -100,6 +100,7 @@ TEST(PublicStructs, have_the_enumerators_of_raycheck_in_C_and_in_CPlusPlus) {
   EXPECT_TRUE(has_enumerators<Returns>(0, RAYCHECK_RETURNS_CLASS));
   EXPECT_EQ(static_cast<int>(raycheck::Rows::top_first), RAYCHECK_ROWS_TOP_FIRST);
   EXPECT_EQ(static_cast<int>(raycheck::Samples::centres), RAYCHECK_SAMPLES_CENTRES);
+  EXPECT_EQ(static_cast<int>(raycheck::Samples::corners), RAYCHECK_SAMPLES_CORNERS);
   EXPECT_EQ(static_cast<int>(raycheck::Origin::focal), RAYCHECK_ORIGIN_FOCAL);
   EXPECT_EQ(static_cast<int>(raycheck::Root::smaller), RAYCHECK_ROOT_SMALLER);
   EXPECT_EQ(static_cast<int>(raycheck::Tangent::either), RAYCHECK_TANGENT_EITHER);

@@ -15,11 +15,13 @@ struct LectureRay {
   Big length, alpha, beta;
 };
 
-inline Big lecture_coordinate(double low, double high, std::int64_t index, std::int64_t count,
+inline Big lecture_coordinate(double first, double last, std::int64_t index, std::int64_t count,
                               scene::Samples samples) {
   const Big part = samples == scene::Samples::kEdges ? Big(Big(index) / Big(count - 1))
-                                                     : Big((Big(index) + Big(1) / 2) / Big(count));
-  return Big(low) + part * (Big(high) - Big(low));
+                   : samples == scene::Samples::kCentres
+                       ? Big((Big(index) + Big(1) / 2) / Big(count))
+                       : Big(Big(index) / Big(count));
+  return Big(first) + part * (Big(last) - Big(first));
 }
 
 inline LectureRay lecture_ray(const scene::Camera& camera, const scene::Conventions& conventions,
@@ -30,11 +32,11 @@ inline LectureRay lecture_ray(const scene::Camera& camera, const scene::Conventi
   const Big3 u = cross(big(camera.up), ray.W);
   ray.U = u / norm(u);
   ray.V = cross(ray.W, ray.U);
-  const std::int64_t row =
-      conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
-  ray.alpha =
-      lecture_coordinate(camera.left, camera.right, pixel.i, camera.width, conventions.samples);
-  ray.beta = lecture_coordinate(camera.bottom, camera.top, row, camera.height, conventions.samples);
+  const auto samples = conventions.samples;
+  ray.alpha = lecture_coordinate(camera.left, camera.right, pixel.i, camera.width, samples);
+  ray.beta = conventions.rows == scene::Rows::kBottomFirst
+                 ? lecture_coordinate(camera.bottom, camera.top, pixel.j, camera.height, samples)
+                 : lecture_coordinate(camera.top, camera.bottom, pixel.j, camera.height, samples);
   ray.P = E + Big(camera.near) * ray.W + ray.alpha * ray.U + ray.beta * ray.V;
   ray.length = norm(ray.P - E);
   ray.D = (ray.P - E) / ray.length;

@@ -90,7 +90,9 @@ inline scene::Pixel random_pixel(Random& random, const scene::Camera& camera) {
 inline scene::Conventions random_conventions(Random& random) {
   scene::Conventions conventions;
   if (random.one_in(2)) conventions.rows = scene::Rows::kTopFirst;
-  if (random.one_in(2)) conventions.samples = scene::Samples::kCentres;
+  const std::int64_t samples = random.integer(0, 3);
+  if (samples == 0) conventions.samples = scene::Samples::kCentres;
+  if (samples == 2) conventions.samples = scene::Samples::kCorners;
   if (random.one_in(2)) conventions.origin = scene::Origin::kFocal;
   return conventions;
 }

@@ -243,6 +243,9 @@ Number coordinate(double low, double high, std::int64_t index, std::int64_t coun
     return Number(low) +
            Number(static_cast<int>(index)) * extent / Number(static_cast<int>(count - 1));
   }
+  if (samples == scene::Samples::kCorners) {
+    return Number(low) + Number(static_cast<int>(index)) / Number(static_cast<int>(count)) * extent;
+  }
   return Number(low) +
          Number(static_cast<int>(2 * index + 1)) * extent / Number(static_cast<int>(2 * count));
 }
@@ -262,9 +265,9 @@ struct PixelLine {
     const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
     const Number alpha =
         coordinate(camera.left, camera.right, pixel.i, camera.width, conventions.samples);
-    const Number beta =
-        coordinate(camera.bottom, camera.top, bottom_first ? pixel.j : camera.height - 1 - pixel.j,
-                   camera.height, conventions.samples);
+    const Number beta = coordinate(bottom_first ? camera.bottom : camera.top,
+                                   bottom_first ? camera.top : camera.bottom, pixel.j,
+                                   camera.height, conventions.samples);
     to_pixel = Number(camera.near) * W + alpha * U + beta * CGAL::cross_product(W, U);
     if (conventions.origin == scene::Origin::kPixel) origin = origin + to_pixel;
   }

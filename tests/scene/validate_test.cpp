@@ -52,14 +52,16 @@ TEST(Validate, AcceptsOddButValidInput) {
   expect_none(Ray{{0, 0, 0}, {0, kSmallest, 0}});
   Scene centres = lecture_scene();
   centres.camera->width = 1;
-  centres.conventions.samples = Samples::kCentres;
-  expect_none(centres);
+  for (const Samples samples : {Samples::kCentres, Samples::kCorners}) {
+    centres.conventions.samples = samples;
+    expect_none(centres);
+  }
 }
 
 // eye - look_at is not a double here: 1e300 - 2^-1074 rounds to 1e300.
 TEST(Validate, JudgesACameraUnderConventionsAsInAScene) {
   EXPECT_NO_THROW(require_valid(lecture_camera(), Conventions{}));
-  for (const Samples samples : {Samples::kEdges, Samples::kCentres}) {
+  for (const Samples samples : {Samples::kEdges, Samples::kCentres, Samples::kCorners}) {
     for (const double near : {0.0, -30.0}) {
       Scene scene = lecture_scene();
       scene.conventions.samples = samples;

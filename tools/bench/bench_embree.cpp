@@ -21,10 +21,10 @@ std::vector<float> positions(double low, double high, std::int64_t count, scene:
                              bool is_reversed) {
   std::vector<float> result;
   for (std::int64_t k = 0; k < count; ++k) {
-    const auto index = static_cast<double>(is_reversed ? count - 1 - k : k);
-    const auto pixels = static_cast<double>(count);
-    const double share =
-        samples == scene::Samples::kEdges ? index / (pixels - 1) : (index + 0.5) / pixels;
+    const scene::PixelSteps pixels = scene::pixel_steps(samples, count);
+    const auto from_start = static_cast<double>(k);
+    const double index = is_reversed ? pixels.turned() - from_start : from_start;
+    const double share = (index + pixels.offset) / pixels.steps;
     result.push_back(static_cast<float>(low + share * (high - low)));
   }
   while (result.size() % kRays != 0) result.push_back(result.back());

@@ -48,10 +48,10 @@ double rounded(const std::function<Enclosure(int)>& enclose, const ClosedForm& c
   }
 }
 
-Step scalar_step(const char* symbol, const char* formula, ClosedForm closed_form,
+Step scalar_step(const char* symbol, std::string formula, ClosedForm closed_form,
                  const std::function<Enclosure(int)>& enclose) {
   const double value = rounded(enclose, closed_form);
-  return {symbol, formula, {std::move(closed_form)}, {value}};
+  return {symbol, std::move(formula), {std::move(closed_form)}, {value}};
 }
 
 Step vector_step(const char* symbol, const char* formula, const ClosedForm3& closed_form,
@@ -72,6 +72,10 @@ Enclosure3 to_centre(const Subject& subject, const scene::Sphere& sphere, int bi
   return centre - subject.exact.enclose(bits).origin();
 }
 
+/// The shares of the way across and down at which a pixel lies, by samples.
+constexpr std::pair<const char*, const char*> kShares[] = {
+    {"i/(w - 1)", "j/(h - 1)"}, {"(i + 1/2)/w", "(j + 1/2)/h"}, {"i/w", "j/h"}};
+
 void derive_camera(const reference::ExactCamera& camera, const Subject& subject,
                    const scene::Pixel& pixel, std::vector<Step>& steps) {
   const auto axes = reference::closed_form_frame(camera.camera());
@@ -79,21 +83,20 @@ void derive_camera(const reference::ExactCamera& camera, const Subject& subject,
   const double condition = reference::condition_of_frame(camera);
   const auto alone = reference::stage_conditions(subject.exact);
   const bool top_first = camera.conventions().rows == scene::Rows::kTopFirst;
-  const bool centres = camera.conventions().samples == scene::Samples::kCentres;
   steps.push_back({"E", "the eye", {}, numbers(camera.camera().eye)});
   steps.push_back({"W", "(E - A)/|E - A|", coordinates(axes.W), numbers(frame.W), condition});
   steps.push_back({"U", "(up x W)/|up x W|", coordinates(axes.U), numbers(frame.U), condition});
   steps.push_back({"V", "W x U", coordinates(axes.V), numbers(frame.V), condition});
   const auto& closed = subject.symbolic;
+  const auto position = [&](const char* first, const char* last, const char* share) {
+    return fmt::format("{0} + {1} ({2} - {0})", first, share, last);
+  };
+  const auto& [across, down] = kShares[static_cast<std::size_t>(camera.conventions().samples)];
+  steps.push_back(scalar_step("alpha", position("left", "right", across), closed.alpha(),
+                              [&](int bits) { return camera.plane_position(pixel, bits).x; }));
   steps.push_back(scalar_step(
-      "alpha", centres ? "left + (i + 1/2)/w (right - left)" : "left + i/(w - 1) (right - left)",
-      closed.alpha(), [&](int bits) { return camera.plane_position(pixel, bits).x; }));
-  const char* const beta =
-      centres
-          ? (top_first ? "top + (j + 1/2)/h (bottom - top)" : "bottom + (j + 1/2)/h (top - bottom)")
-          : (top_first ? "top + j/(h - 1) (bottom - top)" : "bottom + j/(h - 1) (top - bottom)");
-  steps.push_back(scalar_step("beta", beta, closed.beta(),
-                              [&](int bits) { return camera.plane_position(pixel, bits).y; }));
+      "beta", top_first ? position("top", "bottom", down) : position("bottom", "top", down),
+      closed.beta(), [&](int bits) { return camera.plane_position(pixel, bits).y; }));
   steps.push_back({"P", "E + n W + alpha U + beta V", coordinates(closed.pixel_point()),
                    numbers(subject.exact.rounded_pixel_point()),
                    reference::condition_of_pixel_point(subject.exact), alone.pixel_point});

@@ -49,7 +49,7 @@ bool is_worth_asking(const Law& law, const Implementation& implementation, bool 
 /// A candidate for campaigns. Renderers do not get the conventions of a random case, so they are
 /// judged by the defaults and by those that they declare, and not at tangents.
 Candidate campaigner(const Implementation& implementation) {
-  Candidate candidate = implementation.make();
+  Candidate candidate = in_random_cases(implementation.make());
   if (candidate.image) {
     candidate.declared = candidate.declared.over(properties::DeclaredConventions{
         scene::Rows{}, scene::Samples{}, scene::Origin{}, scene::Root{}, scene::Tangent::kEither,

@@ -45,7 +45,7 @@ struct ShownCase {
 /// judged.
 ShownCase worst_of_first(const properties::CaseSource& family, int severity,
                          const StressCurve& curve, std::uint64_t seed) {
-  const std::vector<properties::Candidate> candidate = {curve.candidate.make()};
+  const std::vector<properties::Candidate> candidate = {in_random_cases(curve.candidate.make())};
   const properties::Quantity quantity = properties::main_quantity(curve.stage);
   properties::Random seeds(seed + static_cast<std::uint64_t>(severity));
   ShownCase shown;

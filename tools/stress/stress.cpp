@@ -83,7 +83,7 @@ struct Series {
 
   std::vector<properties::Candidate> candidates() const {
     std::vector<properties::Candidate> all;
-    for (const StressCurve& curve : curves) all.push_back(curve.candidate.make());
+    for (const StressCurve& curve : curves) all.push_back(in_random_cases(curve.candidate.make()));
     return all;
   }
 };

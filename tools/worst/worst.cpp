@@ -119,8 +119,8 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
         properties::SearchOptions its = search;
         if (k > 0) its.seed = Random(search.seed + static_cast<std::uint64_t>(k)).bits();
         WorstFound found;
-        found.worst = properties::find_worst_case(counted(report.candidate.make(), found),
-                                                  report.stage, its, control);
+        found.worst = properties::find_worst_case(
+            counted(in_random_cases(report.candidate.make()), found), report.stage, its, control);
         return found;
       },
       [&](WorstFound& found) {

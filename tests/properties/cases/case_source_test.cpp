@@ -94,7 +94,7 @@ TEST(CaseSource, UsesEveryConvention) {
       if (source.name != "near-plane") seen.insert(20 + static_cast<int>(c.origin));
     }
     seen.insert({20, 21});
-    EXPECT_EQ(seen, (std::set<int>{0, 1, 10, 11, 20, 21, 30, 31, 40, 41, 42}));
+    EXPECT_EQ(seen, (std::set<int>{0, 1, 10, 11, 12, 20, 21, 30, 31, 40, 41, 42}));
   }
 }
 

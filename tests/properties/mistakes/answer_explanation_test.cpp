@@ -133,6 +133,7 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
   const Undeclared all[] = {
       {following(&scene::Conventions::rows, scene::Rows::kTopFirst), "rows = top-first"},
       {following(&scene::Conventions::samples, scene::Samples::kEdges), "samples = edges"},
+      {following(&scene::Conventions::samples, scene::Samples::kCorners), "samples = corners"},
       {following(&scene::Conventions::origin, scene::Origin::kFocal), "origin = focal"},
       {following(&scene::Conventions::root, scene::Root::kNearest), "root = nearest"},
       {counting_all({.t_min = 0, .t_max = 1}), "t_max = infinity"},
@@ -696,6 +697,12 @@ TEST(AnswerExplanation, IsJudgedUnderTheDeclaredConventions) {
   Candidate candidate = candidate_of("pixels are sampled at their centres");
   EXPECT_EQ(sentences_for(candidate), Sentences{"pixels are sampled at their centres"});
   candidate.declared.samples = scene::Samples::kCentres;
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+  candidate.declared.samples = scene::Samples::kCorners;
+  EXPECT_EQ(sentences_for(candidate), Sentences{"pixels are sampled at their centres"});
+  candidate = candidate_of("i/w and j/h place the pixels");
+  EXPECT_EQ(sentences_for(candidate), Sentences{"i/w and j/h place the pixels"});
+  candidate.declared.samples = scene::Samples::kCorners;
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 

@@ -115,7 +115,9 @@ scene::Scene random_scene(unsigned seed, double scale = 1) {
                                66 + seed % 5,
                                19 + seed % 7};
   scene.conventions.rows = seed % 2 == 0 ? scene::Rows::kTopFirst : scene::Rows::kBottomFirst;
-  scene.conventions.samples = seed % 5 == 0 ? scene::Samples::kCentres : scene::Samples::kEdges;
+  scene.conventions.samples = seed % 5 == 0   ? scene::Samples::kCentres
+                              : seed % 5 == 1 ? scene::Samples::kCorners
+                                              : scene::Samples::kEdges;
   for (int k = 0; k < 40; ++k) {
     const double size = std::exp2(between(-6, 2));
     scene.spheres.push_back(

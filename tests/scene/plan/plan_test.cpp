@@ -48,6 +48,7 @@ const Camera kPlaneBehind = plain_but([](Camera& c) { c.near = 1; });
 const Camera kOnePixel = plain_but([](Camera& c) { c.width = c.height = 1; });
 const Conventions kFocal{.origin = Origin::kFocal};
 const Conventions kCentres{.samples = Samples::kCentres};
+const Conventions kCorners{.samples = Samples::kCorners};
 
 TEST(Rectangle, FitsTheSilhouette) {
   struct Row {
@@ -72,6 +73,17 @@ TEST(Rectangle, FitsTheSilhouette) {
             {6, 10, 8, 15},
             plain_but([](Camera& c) { c.width = c.height = 16; }),
             kCentres},
+           // alpha(i) = i/2 - 4, as of 17 pixels at edges
+           {"corners",
+            kAboveTheAxis,
+            {6, 11, 8, 15},
+            plain_but([](Camera& c) { c.width = c.height = 16; }),
+            kCorners},
+           {"corners, rows from the top",
+            kAboveTheAxis,
+            {6, 11, 2, 9},
+            plain_but([](Camera& c) { c.width = c.height = 16; }),
+            {Rows::kTopFirst, Samples::kCorners}},
            {"mirrored columns", kTouchingTheAxis, {2, 9, 6, 11}, mirrored(false)},
            {"mirrored rows", kAboveTheAxis, {6, 11, 2, 9}, mirrored(true)},
            {"image plane behind the eye", ahead(3, 0, -4, 3), {8, 15, 6, 11}, kPlaneBehind},

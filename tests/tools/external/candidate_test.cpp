@@ -44,6 +44,15 @@ TEST(Candidate, is_judged_if_raycheck_is_in_a_folder_that_other_users_may_not_en
   if (is_in_bubblewrap()) expect_parts(outcome.out, {"bubblewrap"});
 }
 
+TEST(Candidate, follows_corners_of_a_scene) {
+  const std::string scene = temporary_file(
+      "corners.toml", contents(RAYCHECK_SOURCE_DIR "/" + kCamera) +
+                          "[conventions]\nsamples = \"corners\"\nrows = \"top-first\"\n");
+  expect_right(scene, right_library());
+  expect_right(scene, "command:python3 tests/candidates/right.py");
+  expect_right(scene, "command:node tests/candidates/right.mjs");
+}
+
 TEST(Candidate, without_rays_receives_them_and_the_report_says_so) {
   const std::string meets = "command:python3 tests/candidates/meets.py none";
   const json right = judged(kCamera, meets);

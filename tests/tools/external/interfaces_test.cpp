@@ -64,6 +64,11 @@ const std::vector<Called> kCalled = {
      "  it.bottom = -it.top, it.left = -it.right;\n"
      "  return focal_ray(it, asked, pixel);\n}\n",
      ".focal_ray = square"},
+    {"cornered", "samples corners", "direction", "right under samples = corners",
+     "Ray cornered(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
+     "  Conventions at = asked;\n  at.samples = Samples::corners;\n"
+     "  return pixel_ray(camera, at, pixel);\n}\n",
+     ".pixel_ray = cornered"},
     {"across", "spheres diameter", "class", "right under spheres = diameter",
      "std::optional<Hit> across(const Ray& ray, const Sphere& ball, const Conventions& asked) {\n"
      "  return intersect(ray, {ball.centre, ball.radius / 2}, asked);\n}\n",
@@ -140,6 +145,27 @@ TEST(Interfaces, that_are_not_followed_are_broken) {
     EXPECT_EQ(outcome.exit_code, 1) << contract;
     expect_parts(outcome.out,
                  {std::string("right under ") + says + ", which the candidate does not declare"});
+  }
+}
+
+/// Code from before there were corners follows edges and centres.
+const Called kOlder = {"older",
+                       "",
+                       "",
+                       "",
+                       "Ray older(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
+                       "  Conventions at = asked;\n"
+                       "  if (asked.samples == Samples::corners) at.samples = Samples::centres;\n"
+                       "  return pixel_ray(camera, at, pixel);\n}\n",
+                       ".pixel_ray = older"};
+
+TEST(Corners, are_in_random_cases_for_those_who_follow_them) {
+  const Outcome unasked = judged_by(kOlder, "", "");
+  EXPECT_EQ(unasked.exit_code, 0) << unasked.out;
+  for (const char* contract : {"corners as-asked", "samples corners"}) {
+    const Outcome asked = judged_by(kOlder, contract, "--filter direction");
+    EXPECT_EQ(asked.exit_code, 1) << asked.out;
+    expect_parts(asked.out, {"pixels are sampled at their centres"});
   }
 }
 

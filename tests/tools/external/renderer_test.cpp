@@ -29,6 +29,20 @@ TEST(Renderer, is_right_on_every_scene_that_driver_files_can_express) {
   }
 }
 
+TEST(Renderer, samples_pixels_where_the_scene_says) {
+  const std::string corners =
+      temporary_file("corners.toml", contents(RAYCHECK_SOURCE_DIR "/" + kProbeScene) +
+                                         "[conventions]\nsamples = \"corners\"\n");
+  const auto causes = [](const std::string& scene, const std::string& mistake) {
+    const json report = judged(scene, renderer(mistake));
+    EXPECT_EQ(report["discrepancies"] == 0, report["explanations"].empty()) << report.dump(2);
+    return report["explanations"].empty() ? "" : report["explanations"][0]["sentence"].dump();
+  };
+  EXPECT_EQ(causes(corners, "corners"), "");
+  expect_parts(causes(corners, "right"), {"pixels are sampled from edge to edge"});
+  expect_parts(causes(kProbeScene, "corners"), {"i/w and j/h place the pixels"});
+}
+
 TEST(Renderer, with_dimmed_colours_still_has_its_mask_judged) {
   EXPECT_EQ(judged(kProbeScene, renderer("dim"))["discrepancies"], 0);
   EXPECT_GT(judged(kProbeScene, renderer("dim-upside-down"))["discrepancies"], 0);

@@ -94,7 +94,7 @@ TEST(View, the_frustum_has_its_corners_and_its_names) {
   }
 }
 
-/// Three samples across from -1 to 1: at edges a cell has the size 1, of centres 2/3.
+/// Three samples across from -1 to 1: at edges a cell has the size 1, of centres and corners 2/3.
 TEST(View, the_picture_has_a_whole_cell_around_every_sample) {
   const auto camera_of = [](const std::string& conventions) -> json {
     return figure_of(1, conventions)["camera"];
@@ -112,6 +112,14 @@ TEST(View, the_picture_has_a_whole_cell_around_every_sample) {
   EXPECT_NEAR(centres["column"][0].get<double>(), 2.0 / 3, 1e-15);
   EXPECT_NEAR(centres["row"][1].get<double>(), -2.0 / 3, 1e-15);
   EXPECT_EQ(centres["counts"]["to"], 5);
+  const json corners = camera_of("[conventions]\nsamples = \"corners\"\nrows = \"top-first\"\n");
+  EXPECT_NEAR(corners["first"][0].get<double>(), -1, 1e-15);
+  EXPECT_NEAR(corners["first"][1].get<double>(), 1, 1e-15);
+  EXPECT_NEAR(corners["row"][1].get<double>(), -2.0 / 3, 1e-15);
+  const double window[] = {-4.0 / 3, 2.0 / 3, -2.0 / 3, 4.0 / 3};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(corners["window"][k].get<double>(), window[k], 1e-15);
+  }
 }
 
 TEST(View, reports_what_cannot_be_drawn_to_scale) {

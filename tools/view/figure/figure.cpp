@@ -78,15 +78,20 @@ Json camera_json(const scene::Scene& scene, const DrawnCamera& shown, const Draw
                  const DrawnFrame& frame) {
   const scene::Camera& camera = *scene.camera;
   const scene::Conventions& conventions = scene.conventions;
-  const bool at_edges = conventions.samples == scene::Samples::kEdges;
-  const double columns = static_cast<double>(camera.width - (at_edges ? 1 : 0));
-  const double rows = static_cast<double>(camera.height - (at_edges ? 1 : 0));
-  const double across = (shown.right - shown.left) / columns,
-               up = (shown.top - shown.bottom) / rows;
+  const scene::PixelSteps columns = scene::pixel_steps(conventions.samples, camera.width);
+  const scene::PixelSteps rows = scene::pixel_steps(conventions.samples, camera.height);
+  const double across = (shown.right - shown.left) / columns.steps,
+               up = (shown.top - shown.bottom) / rows.steps;
   const bool from_top = conventions.rows == scene::Rows::kTopFirst;
-  const double beside = at_edges ? 0.5 : 0;  // of a cell: the cell of each sample is then whole
-  std::array<double, 4> window = {shown.left - beside * across, shown.right + beside * across,
-                                  shown.bottom - beside * up, shown.top + beside * up};
+  // Each sample is in the middle of a cell, so that cells begin before the first sample's side of
+  // the plane, and end beyond the other.
+  const double before = 0.5 - columns.offset;
+  const double beyond_columns = static_cast<double>(camera.width) - columns.steps - before;
+  const double beyond_rows = static_cast<double>(camera.height) - rows.steps - before;
+  std::array<double, 4> window = {shown.left - before * across,
+                                  shown.right + beyond_columns * across,
+                                  shown.bottom - (from_top ? beyond_rows : before) * up,
+                                  shown.top + (from_top ? before : beyond_rows) * up};
   for (double& side : window) side /= std::abs(shown.near);
   return {{"U", drawn(shown.U)},
           {"V", drawn(shown.V)},
