@@ -129,12 +129,15 @@ double rounded_s(const reference::ExactRay& ray, const scene::Sphere& sphere,
 bool is_at_other_root(const RayAnswer& hit, const reference::Intersection& at,
                       const Promises& promises) {
   const auto& [ray, sphere, s] = hit;
-  // The projection of a returned point has roundings.
-  if (is_at_start(ray, sphere, promises) && gives_parameter(promises.interface.returns)) {
-    return *s != 0;
+  if (is_at_start(ray, sphere, promises)) {
+    if (gives_parameter(promises.interface.returns)) return *s != 0;
+    // The projection of a returned point has roundings.
+    constexpr reference::Intersection kFar = {reference::HitClass::kHit,
+                                              reference::WhichRoot::kLarger};
+    return *s > 0.5 * ray.rounded_parameter(sphere, kFar, promises.precision);
   }
   return reference::is_at_other_root(ray, sphere, at, *s) &&
-         *s != rounded_s(ray, sphere, at, promises);
+         *s != ray.rounded_parameter(sphere, at, promises.precision);
 }
 
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,

@@ -113,7 +113,8 @@ double rounded_s(const reference::ExactRay& ray, const scene::Sphere& sphere,
                  const reference::Intersection& at, const Promises& promises);
 /// Whether a hit is at the other root (reference::is_at_other_root) than the exact hit `at`, and is
 /// not the correctly rounded one: roots may be closer to each other than numbers of the format. If
-/// the exact hit is the start of the ray: whether s, as the candidate returned it, is not 0.
+/// the exact hit is the start of the ray: whether s is not 0, or, if it was not returned but is the
+/// projection of Q, nearer to the far root.
 bool is_at_other_root(const RayAnswer& hit, const reference::Intersection& at,
                       const Promises& promises);
 

@@ -80,6 +80,12 @@ TEST(FromInside, HasAnSAndAPoint) {
   EXPECT_EQ(discrepancies("hit-point", kStart, FromInside::kStart), 0u);
   EXPECT_EQ(discrepancies("hit-point", HitAnswer{0, {0.5 + 1e-12, 0, 0}}, FromInside::kStart), 1u);
   EXPECT_EQ(discrepancies("parameter", kStart, FromInside::kStart), 0u);
+  for (const auto& [s, is_wrong] : {std::pair(-0x1p-53, false), {0x1p-53, false}, {0.5, true}}) {
+    Candidate candidate = that_answers(HitAnswer{s, {0.5 + s, 0, 0}});
+    candidate.interface.returns = Returns::kPoint;  // s is its projection
+    const Judged found = judged("nearest-root", kInside, candidate, FromInside::kStart);
+    EXPECT_EQ(found.defects, is_wrong ? 1u : 0u) << s;
+  }
 }
 
 /// A ray that starts on the sphere, up to roundings, may start inside or outside.

@@ -166,6 +166,25 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
   }
 }
 
+/// Mistakes hit at roots from inside; a candidate that declares other hits there is examined
+/// outside.
+TEST(Causes, AreSoughtOutsideSpheresThatAreDeclaredSolid) {
+  const char* const solid = "spheres are solid: from inside s is 0";
+  const char* const half = "s is half of the right one";
+  Candidate candidate = candidate_of(solid);
+  EXPECT_EQ(sentences_for(candidate), Sentences{solid});
+  candidate.interface.from_inside = contract::FromInside::kStart;
+  EXPECT_EQ(sentences_for(candidate), Sentences{});
+  answer_by(candidate, [ask = hits_of(candidate)](auto rays, auto& sphere, auto& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      if (hits[k]) hits[k] = hit_at(rays[k], hits[k]->parameter / 2);
+    }
+    return hits;
+  });
+  EXPECT_EQ(sentences_for(candidate), Sentences{half});
+}
+
 /// The count includes cases that are left out because roots are close to a declared end, and small
 /// errors beside answers that are NaN.
 TEST(Causes, CountAllWrongAnswers) {
