@@ -30,7 +30,7 @@ TEST(Declarations, are_read_from_the_statements_that_they_write) {
     }
   });
   for (const std::string& one : tried) EXPECT_EQ(statements(declared(one)), std::vector{one});
-  EXPECT_EQ(tried.size(), 3u + 11 + 2 + 1 + 5 * 1 + 5);
+  EXPECT_EQ(tried.size(), 3u + 12 + 1 + 2 + 1 + 5 * 1 + 5);
   EXPECT_TRUE(statements({}).empty());
 }
 
@@ -49,7 +49,7 @@ TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expect
         {"returns hit point", "too many words"},
         {"t_min soon", "not a number"},
         {"samplez edges",
-         "'samplez', not one of rows, samples, origin, root, tangent, roots, level, "
+         "'samplez', not one of rows, samples, corners, origin, root, tangent, roots, level, "
          "lengths, precision, directions, rays, spheres, pixels, made_directions, "
          "returns, t_min, t_max, interval, t_unit, culling"}}) {
     EXPECT_TRUE(has(thrown_by<std::invalid_argument>([&] { declared(contract); }), why));
