@@ -217,7 +217,7 @@ void for_each_declaration(SomeDeclarations& declared, Visit visit) {
   auto& conventions = declared.conventions;
   visit("rows", conventions.rows, "which image row is j = 0");
   visit("samples", conventions.samples, "where a pixel is sampled: i/(w-1), (i+1/2)/w, or i/w");
-  visit("corners", declared.corners, "whether random cases ask for samples corners, if it follows");
+  visit("corners", declared.corners, "whether random cases ask for corners (samples as-asked)");
   visit("origin", conventions.origin, "where camera rays start: the pixel's point, or the eye");
   visit("root", conventions.root, "the hit: the smallest root that counts, or always v - d");
   visit("tangent", conventions.tangent, "whether a double root is a hit");

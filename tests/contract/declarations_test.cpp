@@ -52,8 +52,7 @@ TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expect
         {"returns hit point", "too many words"},
         {"t_min soon", "not a number"},
         {"samplez edges",
-         "'samplez', not one of rows, samples, origin, root, tangent, roots, level, "
-         "lengths, precision, directions"}}) {
+         "'samplez', not one of rows, samples, corners, origin, root, tangent, roots, level"}}) {
     EXPECT_TRUE(has(thrown_by<std::invalid_argument>([&] { declared(contract); }), why));
   }
   for (const auto& [contract, field] : {std::pair("lengths 2 1", "lengths"),

@@ -356,7 +356,7 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceNamesBoth) {
   Candidate candidate = both("rows are upside down", "top is taken from right");
   candidate.frame = nullptr;
   candidate.pixel_points = nullptr;
-  expect_both(candidate, "(rows are upside down; and top is taken from right)");
+  expect_both(candidate, "rows are upside down; and top is taken from right");
   candidate = both("i/w and j/h place the pixels", "directions are not normalised: D = P - E");
   candidate.pixel_points = nullptr;
   expect_both(candidate,
