@@ -17,7 +17,7 @@ const scene::Sphere kBall = {{0, 0, 0}, 2};
 
 /// Rays with directions of length 2: one passes 2 - kOff from the centre; one starts kOff outside.
 const scene::Ray kGrazing = {{-5, 2 - kOff, 0}, {2, 0, 0}};
-const scene::Ray kFromOutside = {{-2 - kOff, 0, 0}, {2, 0, 0}};
+const scene::Ray kOffSurface = {{-2 - kOff, 0, 0}, {2, 0, 0}};
 
 /// A kind, its ray, and how large the ray's value of it is.
 struct Measure {
@@ -30,9 +30,9 @@ const Measure kMeasures[] = {{&Tolerances::discriminant, kGrazing, 16 * kOff*(4 
                              {&Tolerances::d_sq, kGrazing, kOff*(4 - kOff), 2.5},
                              {&Tolerances::distance, kGrazing, kOff, 2.5},
                              {&Tolerances::radii, kGrazing, kOff / 2, 2.5},
-                             {&Tolerances::c, kFromOutside, kOff*(4 + kOff), 0},
-                             {&Tolerances::surface, kFromOutside, kOff, 0},
-                             {&Tolerances::s, kFromOutside, kOff / 2, 0}};
+                             {&Tolerances::c, kOffSurface, kOff*(4 + kOff), 0},
+                             {&Tolerances::surface, kOffSurface, kOff, 0},
+                             {&Tolerances::s, kOffSurface, kOff / 2, 0}};
 
 TEST(Tolerance, HasASizeAndAnswersAsNearToTheSurface) {
   for (const Measure& one : kMeasures) {
@@ -53,10 +53,10 @@ TEST(Tolerance, HasASizeAndAnswersAsNearToTheSurface) {
       EXPECT_EQ(tolerance_of(declared, pair, scene::Point3{x + 2 * far, y, z}), 0);
     }
     // A tolerance of tangents does not allow near origins, and the reverse.
-    const reference::ExactRay other(&one.ray == &kGrazing ? kFromOutside : kGrazing);
+    const reference::ExactRay other(&one.ray == &kGrazing ? kOffSurface : kGrazing);
     EXPECT_EQ(tolerance_of(declared, {other, kBall, 0x1p-49}), 0);
   }
-  const reference::ExactRay outside(kFromOutside);
+  const reference::ExactRay outside(kOffSurface);
   Tolerances c;
   c.c = 1;
   EXPECT_EQ(tolerance_of(c, {outside, kBall, 0}, 2 + kOff / 2), 1) << "the far root";

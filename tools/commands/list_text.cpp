@@ -94,7 +94,7 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   }
   text += "\ndeclarations of candidates, besides conventions (the first value is the default):\n";
   for (const Choice& one : catalogue.declarations) {
-    text += fmt::format("  {:<17} {}: {}\n", one.name, one.meaning, values_text(one));
+    text += fmt::format("  {:<22} {}: {}\n", one.name, one.meaning, values_text(one));
   }
   return text;
 }
