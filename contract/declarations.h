@@ -36,9 +36,9 @@ constexpr auto& names_of(Directions /*of*/) { return kDirectionsNames; }
 
 /// The values that a candidate returns for a hit: s and Q; s; Q; the distance of Q along the ray,
 /// or its square; or only that it is one.
-enum class Returns { kHit, kParameter, kPoint, kDistance, kSquaredDistance, kClass };
-inline constexpr std::array<std::string_view, 6> kReturnsNames = {
-    "hit", "parameter", "point", "distance", "squared-distance", "class"};
+enum class Returns { kHit, kParameter, kPoint, kDistance, kSquaredDistance, kClass, kRoots };
+inline constexpr std::array<std::string_view, 7> kReturnsNames = {
+    "hit", "parameter", "point", "distance", "squared-distance", "class", "roots"};
 constexpr auto& names_of(Returns /*of*/) { return kReturnsNames; }
 constexpr bool gives_point(Returns returns) {
   return returns == Returns::kHit || returns == Returns::kPoint;

@@ -5,7 +5,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// The header of a made-up course: it has types of its own, and a ball's diameter.
+/// The header of a made-up course, with its own types and a ball's diameter.
 constexpr const char* kShapes = R"(#pragma once
 struct Vec { double x, y, z; };
 struct Ray { Vec from, along; };

@@ -1,0 +1,7 @@
+#include "casting.h"
+
+void viewing_ray(const Camera& camera, int i, int j, int width, int height, Ray& ray) {
+  const double x = camera.width * (i + 1 / 2) / width - camera.width / 2;
+  const double y = camera.height / 2 - camera.height * (j + 1 / 2) / height;
+  ray = {camera.eye, {x, y, -camera.distance}};
+}
