@@ -328,7 +328,6 @@ int exit_code(bool was_interrupted, bool found, bool checked) {
 std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked) {
   const auto formatter = std::make_shared<HelpFormatter>();
   formatter->label("SUBCOMMAND", "COMMAND");
-  formatter->label("Subcommands", "Commands");
   program.formatter(formatter);
   program.description("An exact reference for camera rays and ray-sphere intersections");
   program.set_version_flag("--version", std::string(kVersion));
@@ -336,6 +335,7 @@ std::vector<Command> make_program(CLI::App& program, std::span<const LinkedComma
   std::vector<Command> commands;
   for (const CommandRow& row : kCommands) {
     CLI::App& app = *program.add_subcommand(std::string(row.name), std::string(row.sentence));
+    app.group("Commands");
     const auto found = std::ranges::find(linked, row.name, &LinkedCommand::name);
     if (found != linked.end()) commands.push_back({&app, found->add(app)});
   }

@@ -64,8 +64,7 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
                         "", promised_text(*method), method->exact_class ? "; exact class" : "",
                         lengths(method->domain), caveat(method->not_kept));
   }
-  text +=
-      "\nexact methods, and methods with fewer digits, by the reference's code (--intersect):\n";
+  text += "\nmethods made of the reference's code (--intersect):\n";
   for (const auto* method : properties::exact_methods()) {
     text += fmt::format("  {:<19} {}\n", method->name, method->sentence);
   }
