@@ -35,7 +35,7 @@ inline constexpr std::array<std::string_view, 2> kDirectionsNames = {"any", "uni
 constexpr auto& names_of(Directions /*of*/) { return kDirectionsNames; }
 
 /// The values that a candidate returns for a hit: s and Q; s; Q; the distance of Q along the ray,
-/// or its square; or only that it is one.
+/// or its square; only that it is one; or both roots of the ray's line.
 enum class Returns { kHit, kParameter, kPoint, kDistance, kSquaredDistance, kClass, kRoots };
 inline constexpr std::array<std::string_view, 7> kReturnsNames = {
     "hit", "parameter", "point", "distance", "squared-distance", "class", "roots"};

@@ -56,8 +56,9 @@ struct FrameAnswer {
 
 /// Where a candidate finds that a ray meets a sphere.
 struct HitAnswer {
-  double parameter = 0;  ///< s, in multiples of the ray's direction.
-  scene::Point3 point;   ///< Q
+  double parameter = 0;                   ///< s, in multiples of the ray's direction.
+  scene::Point3 point;                    ///< Q
+  std::optional<double> other_root = {};  ///< If the candidate returns both roots.
 };
 
 /// A hit of one ray of several, by its index.

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "properties/failures.h"
+#include "reference/account/nearby_valid.h"
+#include "reference/exact_ray.h"
 
 namespace raycheck::properties {
 namespace {
@@ -64,6 +66,22 @@ auto points_of(const Functions& functions, scene::Precision precision) {
     return all;
   };
   return points;
+}
+
+/// Of both roots of a line, the one that counts, with the other beside it; empty if none counts.
+std::optional<HitAnswer> chosen(const HitAnswer& roots, const scene::Ray& ray,
+                                const scene::Sphere& sphere,
+                                const scene::Conventions& conventions) {
+  const auto& [valid, root] = std::pair(conventions.valid, conventions.root);
+  const double entry = roots.parameter, exit = roots.point.x;
+  const auto counts = [&, exact = reference::ExactRay(ray)](double s) {
+    return std::isfinite(s) && !reference::is_outside(conventions.valid, exact, sphere, s);
+  };
+  if (valid.culling != scene::Culling::kFrontFaces && counts(entry)) return {{entry, {}, exit}};
+  const bool may_exit =
+      root == scene::Root::kNearest && valid.culling != scene::Culling::kBackFaces;
+  if (may_exit && counts(exit)) return {{exit, {}, entry}};
+  return {};
 }
 
 /// A function of pixels.
@@ -127,6 +145,7 @@ HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray
     case Returns::kHit:
       return hit;
     case Returns::kParameter:
+    case Returns::kRoots:
       break;
     case Returns::kPoint:
       return {static_cast<double>(projection(hit.point)), hit.point};
@@ -143,7 +162,8 @@ HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray
   const auto along = [s](double from, double by) { return static_cast<double>(from + s * by); };
   return {static_cast<double>(s),
           {along(ray.origin.x, ray.direction.x), along(ray.origin.y, ray.direction.y),
-           along(ray.origin.z, ray.direction.z)}};
+           along(ray.origin.z, ray.direction.z)},
+          hit.other_root};
 }
 
 Functions adapted(Functions functions, const Interface& interface, scene::Precision precision) {
@@ -170,10 +190,18 @@ Functions adapted(Functions functions, const Interface& interface, scene::Precis
       std::vector<SphereHits> all =
           intersect(all_passed(rays, interface), all_passed(spheres, interface), conventions);
       for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
-        for (RayHit& hit : all[sphere]) {
-          if (hit.ray >= rays.size()) continue;  // Answers reports it
-          hit.hit = completed(hit.hit, interface.returns, rays[hit.ray], spheres[sphere]);
-        }
+        const auto is_no_hit = [&](RayHit& hit) {
+          if (hit.ray >= rays.size()) return false;  // Answers reports it
+          const scene::Ray& ray = rays[hit.ray];
+          if (interface.returns == Returns::kRoots) {
+            const auto root = chosen(hit.hit, ray, spheres[sphere], conventions);
+            if (!root) return true;
+            hit.hit = *root;
+          }
+          hit.hit = completed(hit.hit, interface.returns, ray, spheres[sphere]);
+          return false;
+        };
+        std::erase_if(all[sphere], is_no_hit);
       }
       return all;
     };

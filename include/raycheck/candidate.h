@@ -126,14 +126,16 @@ enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
 enum { RAYCHECK_DIRECTIONS_ANY = 0, RAYCHECK_DIRECTIONS_UNIT = 1 };
 
 /* What the candidate returns for a hit: s and Q; s; Q; as `parameter`, the distance of Q along the
-   ray in scene lengths or the square of this distance; or only that there is a hit. */
+   ray in scene lengths or the square of this distance; only that there is a hit; or both roots of
+   the ray's line, v - d as `parameter` and v + d as `point.x`: raycheck chooses among them. */
 enum {
   RAYCHECK_RETURNS_HIT = 0,
   RAYCHECK_RETURNS_PARAMETER = 1,
   RAYCHECK_RETURNS_POINT = 2,
   RAYCHECK_RETURNS_DISTANCE = 3,
   RAYCHECK_RETURNS_SQUARED_DISTANCE = 4,
-  RAYCHECK_RETURNS_CLASS = 5
+  RAYCHECK_RETURNS_CLASS = 5,
+  RAYCHECK_RETURNS_ROOTS = 6
 };
 
 typedef struct raycheck_candidate {

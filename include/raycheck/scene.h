@@ -92,8 +92,9 @@ enum class Roots { usual, declared, as_asked };
 enum class Directions { any, unit };
 
 /// What a candidate returns for a hit: s and Q; s; Q; as Hit::parameter, the distance of Q along
-/// the ray in scene lengths or the square of this distance; or only that there is a hit.
-enum class Returns { hit, parameter, point, distance, squared_distance, class_only };
+/// the ray in scene lengths or the square of this distance; only that there is a hit; or both roots
+/// of the ray's line, v - d as Hit::parameter and v + d as Hit::point.x.
+enum class Returns { hit, parameter, point, distance, squared_distance, class_only, roots };
 
 /// The choices that the lecture leaves open. For libraycheck, as_asked means the default.
 struct Conventions {

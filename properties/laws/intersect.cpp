@@ -21,6 +21,7 @@ using reference::Enclosure;
 using reference::Enclosure3;
 using reference::ExactRay;
 using reference::Intersection;
+using reference::WhichRoot;
 
 /// A ray and a sphere that meet according to the candidate, the truth or both.
 struct Encounter {
@@ -191,19 +192,39 @@ void judge_root(Trial& trial, Verdict& verdict) {
   leave_out_without_hits(trial, verdict);
 }
 
+/// Judges s of a hit; `condition` gives its condition number.
+void measure_parameter(Trial& trial, Verdict& verdict, const Encounter& at,
+                       const std::function<double()>& condition, const char* what) {
+  trial.measure(
+      verdict,
+      {Quantity::kParameter, at.place(),
+       at.is_at_start() ? scene::Measured{}
+                        : reference::parameter_error(at.ray, at.sphere, *at.exact,
+                                                     at.answer->parameter, trial.precision())},
+      condition,
+      [&](Discrepancy& d) {
+        at.describe(d);
+        d.what = what;
+      },
+      [&] { return at.backward_error(); }, [&] { return at.plain_condition(); },
+      [&] { return at.tolerance_of_s(); });
+}
+
 void judge_parameter(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
-    trial.measure(
-        verdict,
-        {Quantity::kParameter, at.place(),
-         at.is_at_start() ? scene::Measured{}
-                          : reference::parameter_error(at.ray, at.sphere, *at.exact,
-                                                       at.answer->parameter, trial.precision())},
-        [&] {
-          return at.is_at_start() ? 0 : trial.condition_of_parameter(at.ray_at, at.sphere_at);
-        },
-        [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); },
-        [&] { return at.plain_condition(); }, [&] { return at.tolerance_of_s(); });
+    const auto condition = [&] {
+      return at.is_at_start() ? 0 : trial.condition_of_parameter(at.ray_at, at.sphere_at);
+    };
+    measure_parameter(trial, verdict, at, condition, "");
+    if (!at.answer->other_root) return;
+    const HitAnswer answer = {*at.answer->other_root, {}};
+    Intersection exact = *at.exact;
+    exact.root = exact.root == WhichRoot::kSmaller ? WhichRoot::kLarger : WhichRoot::kSmaller;
+    const Encounter other(trial, at.ray_at, at.sphere_at, &answer, &exact);
+    measure_parameter(
+        trial, verdict, other,
+        [&] { return reference::condition_of_parameter(at.ray, at.sphere, exact); },
+        "the other root");
   });
   leave_out_without_hits(trial, verdict);
 }

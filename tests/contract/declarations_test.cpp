@@ -96,7 +96,7 @@ TEST(PublicStructs, have_the_enumerators_of_raycheck_in_C_and_in_CPlusPlus) {
   EXPECT_TRUE(has_enumerators<RootsOf>(0, RAYCHECK_ROOTS_AS_ASKED));
   EXPECT_TRUE(has_enumerators<scene::Precision>(0, RAYCHECK_PRECISION_SINGLE));
   EXPECT_TRUE(has_enumerators<Directions>(0, RAYCHECK_DIRECTIONS_UNIT));
-  EXPECT_TRUE(has_enumerators<Returns>(0, RAYCHECK_RETURNS_CLASS));
+  EXPECT_TRUE(has_enumerators<Returns>(0, RAYCHECK_RETURNS_ROOTS));
   EXPECT_EQ(static_cast<int>(raycheck::Rows::top_first), RAYCHECK_ROWS_TOP_FIRST);
   EXPECT_EQ(static_cast<int>(raycheck::Samples::centres), RAYCHECK_SAMPLES_CENTRES);
   EXPECT_EQ(static_cast<int>(raycheck::Samples::corners), RAYCHECK_SAMPLES_CORNERS);
@@ -110,7 +110,7 @@ TEST(PublicStructs, have_the_enumerators_of_raycheck_in_C_and_in_CPlusPlus) {
   EXPECT_EQ(static_cast<int>(raycheck::Roots::as_asked), RAYCHECK_ROOTS_AS_ASKED);
   EXPECT_EQ(static_cast<int>(raycheck::Precision::single), RAYCHECK_PRECISION_SINGLE);
   EXPECT_EQ(static_cast<int>(raycheck::Directions::unit), RAYCHECK_DIRECTIONS_UNIT);
-  EXPECT_EQ(static_cast<int>(raycheck::Returns::class_only), RAYCHECK_RETURNS_CLASS);
+  EXPECT_EQ(static_cast<int>(raycheck::Returns::roots), RAYCHECK_RETURNS_ROOTS);
 }
 
 TEST(PublicStructs, keep_every_member_of_a_camera_and_of_conventions) {

@@ -259,6 +259,36 @@ TEST(Interfaces, are_declared_in_every_language) {
   }
 }
 
+/// Both roots are judged, also the one that does not count.
+TEST(Interfaces, that_return_both_roots_must_be_right_in_both) {
+  Called both = {
+      "both",
+      "",
+      "parameter",
+      "",
+      "std::optional<Hit> both(const Ray& ray, const Sphere& ball, const Conventions&) {\n"
+      "  const Vector3 origin = in(ray.origin), d = in(ray.direction);\n"
+      "  const Vector3 to = in(ball.centre) - origin;\n"
+      "  const double a = d.squaredNorm(), b = to.dot(d), r = ball.radius;\n"
+      "  const double discriminant = a * r * r - to.cross(d).squaredNorm();\n"
+      "  if (discriminant < 0) return {};\n"
+      "  const double q = b + std::copysign(std::sqrt(discriminant), b);\n"
+      "  const double length = to.norm();\n"
+      "  const double one = q / a, other = q == 0 ? 0 : (length - r) * (length + r) / q;\n"
+      "  return Hit{std::min(one, other), {FACTOR * std::max(one, other), 0, 0}};\n}\n",
+      ".tangent = Tangent::hit, .intersect = both, .returns = Returns::roots"};
+  const std::string text = both.functions;
+  for (const auto& [factor, exit_code] : {std::pair("1", 0), {"(1 + 1e-9)", 1}}) {
+    both.functions = std::string("#define FACTOR ") + factor + "\n" + text;
+    both.name = "both" + std::to_string(exit_code);
+    for (const char* contract : {"", "t_min 1e-3; t_max 1e9; culling front-faces"}) {
+      const Outcome outcome = judged_by(both, contract, "");
+      EXPECT_EQ(outcome.exit_code, exit_code) << contract << outcome.out << outcome.err;
+      if (exit_code != 0) expect_parts(outcome.out, {"parameter", "the other root"});
+    }
+  }
+}
+
 /// s = 1 is on the image plane: half of P - E is another direction, although of the same line.
 TEST(Interfaces, of_directions_to_the_image_plane_have_its_length) {
   const Called half = {"half",

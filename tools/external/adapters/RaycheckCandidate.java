@@ -71,8 +71,9 @@ public abstract class RaycheckCandidate {
   /** "unit" if it requires unit directions; null: any. */
   public String directions() { return null; }
   /**
-   * What it returns for a hit: "parameter", "point", "distance", "squared-distance" or "class"
-   * (the rest of a Hit means nothing then); null: s and the point.
+   * What it returns for a hit: "parameter", "point", "distance", "squared-distance", "class" or
+   * "roots", v - d as s and v + d as point.x (the rest of a Hit means nothing then); null: s and
+   * the point.
    */
   public String returns() { return null; }
 

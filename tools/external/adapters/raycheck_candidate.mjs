@@ -23,7 +23,7 @@
 // is declared beside them, by its name in `raycheck list`: run("mine", { rows: "top-first", tMin: 1e-4, lengths: [1e-9, 1e9],
 // precision: "single", intersect }); roots: "as-asked" follows conventions.roots. If `intersect` does not return s and the
 // point, declare what it returns: returns: "parameter", "distance" or "squared-distance" for a number, "point" for a vector,
-// "class" for true or false; null, undefined and false are misses.
+// "class" for true or false, "roots" for both roots, [v - d, v + d]; null, undefined and false are misses.
 // Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 const reply = process.stdout.write.bind(process.stdout);
 process.stdout.write = process.stderr.write.bind(process.stderr); // also for console.log
@@ -100,6 +100,7 @@ function hitWords(hit, returns) {
   if (returns === "class" && hit !== true) throw new TypeError(`neither true nor false: ${hit}`);
   if (returns === "class") return line([0, 0, 0, 0]);
   if (returns === "point") return line([0], hit);
+  if (returns === "roots") return line(hit, [0, 0]);
   return returns === "hit" ? line([hit.s], hit.point) : line([hit, 0, 0, 0]);
 }
 

@@ -25,7 +25,8 @@ rows="top-first", t_min=1e-4, lengths=(1e-100, 1e100), precision="single", ...).
 (floats of struct or numpy) all numbers that they receive are floats, and errors are counted in units
 of float. roots="as-asked" declares that they follow conventions.roots. If intersect does not return
 s and the point, declare what it returns: returns="parameter", "distance" or "squared-distance" for a
-number, "point" for a vector, "class" for True or False; None and False are misses.
+number, "point" for a vector, "class" for True or False, "roots" for both roots, (v - d, v + d); None
+and False are misses.
 Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 """
 import collections
@@ -94,6 +95,8 @@ def _hit(hit, returns):
         return 0, (0, 0, 0)
     if returns == "point":
         return 0, tuple(hit)
+    if returns == "roots":
+        return hit[0], (hit[1], 0, 0)
     return hit if returns == "hit" else (hit, (0, 0, 0))
 
 
