@@ -116,19 +116,20 @@ bool same_answers(Trial& one, Trial& other) {
   return !candidate.nearest || one.nearest() == other.nearest();
 }
 
-/// Whether a candidate gives the same answers under these conventions, and they are right; or right
-/// ones when it is called by this interface.
+/// Whether a candidate, called by this interface, gives the same answers under these conventions,
+/// and they are right.
 bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& candidate,
               const Followed& under) {
+  const Candidate called = following(candidate, {{}, {}, under.interface});
   const Candidate other_candidate = following(candidate, under);
   std::uint64_t asked = 0;
   for (const Case& given : cases) {
     const auto one = rounded_case(given, other_candidate.input_format()).the_case;
     if (!one || !is_problem(*one, other_candidate.declared)) continue;
-    Trials declared(*one, candidate, {}), followed(*one, other_candidate, {});
+    Trials declared(*one, called, {}), followed(*one, other_candidate, {});
     const Verdict verdict = followed.apply(law);
     if (verdict.count(Standing::kDefect) > 0) return false;
-    if (!under.interface && !same_answers(declared.of(law), followed.of(law))) return false;
+    if (!same_answers(declared.of(law), followed.of(law))) return false;
     // All other laws must hold, too: the hit class may be right although the root is wrong.
     for (const Law& other : laws()) {
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;

@@ -44,13 +44,17 @@ TEST(Candidate, is_judged_if_raycheck_is_in_a_folder_that_other_users_may_not_en
   if (is_in_bubblewrap()) expect_parts(outcome.out, {"bubblewrap"});
 }
 
+/// kCamera under other conventions.
+std::string corners() {
+  return temporary_file("corners.toml",
+                        contents(RAYCHECK_SOURCE_DIR "/" + kCamera) +
+                            "[conventions]\nsamples = \"corners\"\nrows = \"top-first\"\n");
+}
+
 TEST(Candidate, follows_corners_of_a_scene) {
-  const std::string scene = temporary_file(
-      "corners.toml", contents(RAYCHECK_SOURCE_DIR "/" + kCamera) +
-                          "[conventions]\nsamples = \"corners\"\nrows = \"top-first\"\n");
+  const std::string scene = corners();
   expect_right(scene, right_library());
   expect_right(scene, "command:python3 tests/candidates/right.py");
-  expect_right(scene, "command:node tests/candidates/right.mjs");
 }
 
 TEST(Candidate, without_rays_receives_them_and_the_report_says_so) {
@@ -202,6 +206,7 @@ TEST(Candidate, in_JavaScript_can_implement_all_functions) {
   }
   expect_right(kRays, "command:node " + folder + "/right.mjs");
   expect_right(kCamera, "command:node " + folder + "/right.mjs");
+  expect_right(corners(), "command:node " + folder + "/right.mjs");
 }
 
 /// The error message for a candidate that cannot be run.
