@@ -359,7 +359,7 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceNamesBoth) {
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
-// A shift of the rows alone is neither of them, although both together shift only the rows.
+// Both together shift only the rows, and so explain a shift that is neither of them.
 TEST(AnswerExplanation, DoesNotPlacePixelsTwice) {
   EXPECT_FALSE(can_be_together(
       *find_mistake("i/w and j/h place the pixels"),
