@@ -28,5 +28,6 @@ static std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
 }
 
 RAYCHECK_CANDIDATE(.focal_ray = focal_ray, .intersect = intersect,
-                   .contract = "origin focal; samples centres; rows top-first; "
-                               "made_directions any; returns parameter; t_min 0.001")
+                   .contract =
+                       "origin focal; samples centres; rows top-first; "
+                       "made_directions any; returns parameter; t_min 0.001")

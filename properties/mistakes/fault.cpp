@@ -101,7 +101,8 @@ std::string sentence_of(const std::vector<Fault>& alternatives) {
 }
 
 bool can_be_together(const Mistake& a, const Mistake& b) {
-  return !(a.makes_rays() && b.makes_rays()) && joined(a.hits, b.hits);
+  return !(a.makes_rays() && b.makes_rays()) && !(a.places_pixels && b.places_pixels) &&
+         joined(a.hits, b.hits);
 }
 
 FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)

@@ -182,7 +182,7 @@ void step_by_count(double& first, double& last, std::int64_t pixels, const Conve
 /// alpha(i) = left + i/(w-1) (right - left), or with i/w, or with (i+1)/w; similarly beta(j).
 enum class By { kSteps, kCount, kNextByCount };
 Mistake by_count(std::string sentence, By columns, By rows) {
-  return camera_mistake(std::move(sentence), [=](Camera& its, const Conventions& conventions) {
+  const auto change = [=](Camera& its, const Conventions& conventions) {
     double *first = &its.top, *last = &its.bottom;
     if (conventions.rows == scene::Rows::kBottomFirst) std::swap(first, last);
     if (columns != By::kSteps) {
@@ -191,7 +191,10 @@ Mistake by_count(std::string sentence, By columns, By rows) {
     if (rows != By::kSteps) {
       step_by_count(*first, *last, its.height, conventions, rows == By::kNextByCount);
     }
-  });
+  };
+  Mistake mistake = camera_mistake(std::move(sentence), change);
+  mistake.places_pixels = true;
+  return mistake;
 }
 
 std::vector<Mistake> view_mistakes() {

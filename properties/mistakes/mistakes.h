@@ -69,6 +69,9 @@ struct Mistake {
   /// invalid.
   Candidate candidate = {};
 
+  /// Whether it replaces i/(w-1), or (i+1/2)/w, in alpha or beta. Two of these might cancel out.
+  bool places_pixels = false;
+
   /// Whether the mistake is in the formulas of rays.
   bool makes_rays() const { return rays.frame || rays.point || rays.direction; }
 };

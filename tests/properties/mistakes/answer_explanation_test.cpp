@@ -5,6 +5,7 @@
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_source.h"
 #include "properties/mistakes/causes.h"
+#include "properties/mistakes/fault.h"
 #include "properties/mistakes/imprecision.h"
 #include "properties/mistakes/mistakes.h"
 #include "properties/search/campaign.h"
@@ -376,6 +377,13 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceNamesBoth) {
     return FrameAnswer{left(camera).U, right(camera).V, left(camera).W};
   };
   EXPECT_EQ(sentences_for(candidate), Sentences());
+}
+
+// Both together shift only the rows, and so explain a shift that is neither of them.
+TEST(AnswerExplanation, DoesNotPlacePixelsTwice) {
+  EXPECT_FALSE(can_be_together(
+      *find_mistake("i/w and j/h place the pixels"),
+      *find_mistake("(i+1)/w and (j+1)/h place the pixels, j counted from the other end")));
 }
 
 TEST(AnswerExplanation, OfOnlyRaysDoesNotNameHits) {
