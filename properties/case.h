@@ -1,11 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
+#include <deque>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contract/declarations.h"
@@ -55,32 +56,31 @@ struct InputFormat {
   bool view_directions;
   bool operator==(const InputFormat&) const = default;
 };
-inline constexpr auto kInputFormats = [] {
-  using contract::Directions, contract::RayForm;
-  std::array<InputFormat, std::size_t{2} * 3 * 3 * 3 * 2 * 2> all;
-  for (std::size_t index = 0; index < all.size(); ++index) {
-    std::size_t left = index;
-    const auto next = [&left](std::size_t values) {
-      const std::size_t value = left % values;
-      left /= values;
-      return value;
-    };
-    const auto precision = static_cast<scene::Precision>(next(2));
-    const std::size_t rays = next(3);
-    all[index] = {precision,
-                  {.directions = rays == 1 ? Directions::kUnit : Directions::kAny,
-                   .rays = rays == 2 ? RayForm::kEnd : RayForm::kDirection,
-                   .placement = static_cast<contract::Placement>(next(3)),
-                   .windows = static_cast<contract::Windows>(next(3)),
-                   .view = static_cast<contract::View>(next(2))},
-                  next(2) == 0};
+
+/// A value for each of some formats.
+template <class Value>
+class ByFormat {
+ public:
+  /// The value of a format, which is added if it is missing. References stay valid.
+  Value& operator[](InputFormat format) {
+    for (auto& [one, value] : all_) {
+      if (one == format) return value;
+    }
+    return all_.emplace_back(format, Value{}).second;
   }
-  return all;
-}();
-/// Its index among them.
-constexpr std::size_t index_of(InputFormat format) {
-  return static_cast<std::size_t>(std::ranges::find(kInputFormats, format) - kInputFormats.begin());
-}
+  /// Domain: the format was added; otherwise throws std::out_of_range.
+  const Value& at(InputFormat format) const {
+    for (const auto& [one, value] : all_) {
+      if (one == format) return value;
+    }
+    throw std::out_of_range("no value for this format");
+  }
+  auto begin() const { return all_.begin(); }
+  auto end() const { return all_.end(); }
+
+ private:
+  std::deque<std::pair<InputFormat, Value>> all_;
+};
 
 /// A case with all numbers rounded to those that a candidate accepts. Truth, law and candidate all
 /// get this case instead of the original.

@@ -129,7 +129,7 @@ class AskedCase {
   };
 
   Rounded& in(InputFormat format) {
-    auto& kept = formats_[index_of(format)];
+    auto& kept = formats_[format];
     if (!kept) {
       kept = std::make_unique<Rounded>(Rounded{rounded_case(made_, format), {}});
       if (kept->rounded.the_case) kept->truths.emplace(*kept->rounded.the_case);
@@ -139,7 +139,7 @@ class AskedCase {
 
   std::uint64_t seed_;
   Case made_;
-  std::array<std::unique_ptr<Rounded>, kInputFormats.size()> formats_;
+  ByFormat<std::unique_ptr<Rounded>> formats_;
   const Candidate* candidate_ = nullptr;
   std::optional<Trials> trials_;
 };

@@ -101,9 +101,10 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
 
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             std::vector<StressResult>& results) {
-  for (const InputFormat format : kInputFormats) {
-    if (std::ranges::count(candidates, format, &Candidate::input_format) > 0)
-      stress(the_case, stage, candidates, format, results);
+  ByFormat<bool> is_done;
+  for (const Candidate& candidate : candidates) {
+    const InputFormat format = candidate.input_format();
+    if (!std::exchange(is_done[format], true)) stress(the_case, stage, candidates, format, results);
   }
 }
 

@@ -125,9 +125,9 @@ Judgement::Judgement(std::optional<double> max_error, const ScenesOfFormats& sce
     : max_error_(max_error), scenes_(scenes), drafts_(drafts) {
   for (const Draft& draft : drafts) {
     const auto format = draft.report.implementation.input_format();
+    auto& plans = plans_[format];
     const auto& cases = scenes.in(format).cases;
     if (!cases || !cases->scene().camera) continue;
-    auto& plans = plans_[index_of(format)];
     const scene::Conventions conventions = properties::planned(draft.report.conventions);
     const bool is_planned = std::ranges::any_of(
         plans, [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
@@ -193,7 +193,7 @@ void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& 
   const auto format = report.implementation.input_format();
   const auto& cases = scenes_.in(format).cases;
   const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
-  properties::SharedTruths truths(chunk, plans_[index_of(format)]);
+  properties::SharedTruths truths(chunk, plans_.at(format));
   ++report.search.batches;
   ChunkVerdict found = judge_chunk(
       chunk, first, *searchers_[k],
@@ -211,14 +211,15 @@ ChunkVerdicts Judgement::judge(std::uint64_t first) {
     }
   }
   ChunkVerdicts found(drafts_.size());
-  for (const properties::InputFormat format : properties::kInputFormats) {
-    const auto& cases = scenes_.in(format).cases;
+  for (const auto& one : scenes_) {
+    const properties::InputFormat format = one.first;
+    const auto& cases = one.second.cases;
     const auto is_asked = [&](const Draft& draft) {
       return draft.report.implementation.input_format() == format;
     };
     if (!cases || std::ranges::none_of(drafts_, is_asked)) continue;
     const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
-    properties::SharedTruths truths(chunk, plans_[index_of(format)]);
+    properties::SharedTruths truths(chunk, plans_.at(format));
     for (std::size_t k = 0; k < drafts_.size(); ++k) {
       if (!is_asked(drafts_[k])) continue;
       found[k] = judge_chunk(chunk, first, candidates[k],

@@ -48,7 +48,7 @@ class ScenesOfFormats {
   ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels,
                   const std::vector<Implementation>& implementations) {
     const auto add = [&](properties::InputFormat format) {
-      InFormat& here = formats_[index_of(format)];
+      InFormat& here = formats_[format];
       if (here.cases || !here.rounded.reason.empty()) return;
       here.rounded = properties::rounded_scene(given, format);
       if (here.rounded.the_case) here.cases.emplace(here.rounded.the_case->scene, pixels);
@@ -56,11 +56,13 @@ class ScenesOfFormats {
     add(properties::InputFormat());
     for (const Implementation& one : implementations) add(one.input_format());
   }
-  const InFormat& in(properties::InputFormat format) const { return formats_[index_of(format)]; }
+  const InFormat& in(properties::InputFormat format) const { return formats_.at(format); }
+  auto begin() const { return formats_.begin(); }
+  auto end() const { return formats_.end(); }
   const properties::SceneCases& given() const { return *in(properties::InputFormat()).cases; }
 
  private:
-  std::array<InFormat, properties::kInputFormats.size()> formats_;
+  properties::ByFormat<InFormat> formats_;
 };
 
 /// The verdict on one candidate on a chunk of the rays.
@@ -88,8 +90,7 @@ class Judgement {
   std::optional<double> max_error_;
   const ScenesOfFormats& scenes_;
   std::vector<Draft>& drafts_;
-  /// By format.
-  std::array<std::vector<scene::ScenePlan>, properties::kInputFormats.size()> plans_;
+  properties::ByFormat<std::vector<scene::ScenePlan>> plans_;
   tbb::enumerable_thread_specific<std::vector<properties::Candidate>> candidates_;
   /// For candidates that have failed.
   std::vector<std::optional<properties::Candidate>> searchers_;

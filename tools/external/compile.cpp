@@ -33,23 +33,13 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
   return files;
 }
 
-/// A source's folder and those below it that have headers, so that "sphere.h" is found in include/.
-/// Not all of a large tree is searched.
+/// A source's folder, and those below it that usually have headers.
 std::vector<fs::path> header_folders(const fs::path& folder) {
-  constexpr int kDeepest = 3;
-  constexpr std::size_t kMostFolders = 64;
-  std::set<fs::path> found = {folder};
-  std::error_code unreadable;
-  for (fs::recursive_directory_iterator entry(folder, unreadable), end;
-       entry != end && found.size() < kMostFolders; entry.increment(unreadable)) {
-    const std::string ending = entry->path().extension().string();
-    if (entry.depth() == kDeepest || entry->path().filename().string().starts_with('.')) {
-      entry.disable_recursion_pending();
-    } else if (ending == ".h" || ending == ".hpp" || ending == ".hh") {
-      found.insert(entry->path().parent_path());
-    }
+  std::vector<fs::path> found = {folder};
+  for (const char* name : {"include", "inc", "headers", "src", "source"}) {
+    if (fs::is_directory(folder / name)) found.push_back(folder / name);
   }
-  return {found.begin(), found.end()};
+  return found;
 }
 
 /// Copies a file that a sandboxed program made. Refuses links, because they may lead to files that

@@ -23,8 +23,9 @@ struct Compiled {
 };
 /// Compiles a C++ file, the .cpp files of a folder, or a project with a CMakeLists.txt. The result
 /// is a shared library with line tables in the folder `to`. The compiler is sandboxed like a
-/// candidate; raycheck/candidate.h, Eigen, if installed, and the folders with headers below the
-/// source's folder are on its include path. Errors: CandidateError with the compiler's output.
+/// candidate; raycheck/candidate.h, Eigen, if installed, the source's folder and its folders
+/// include, inc, headers, src and source are on its include path. Errors: CandidateError with the
+/// compiler's output.
 Compiled compile(const std::filesystem::path& source, const std::filesystem::path& to,
                  const RunOptions& options);
 

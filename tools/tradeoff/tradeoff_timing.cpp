@@ -259,11 +259,11 @@ void time_all(const std::vector<Clocked>& clocked, std::vector<MethodCost>& cost
 }  // namespace
 
 void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
-  std::array<std::vector<IntersectCall>, properties::kInputFormats.size()> by_format;
+  properties::ByFormat<std::vector<IntersectCall>> by_format;
   std::vector<Clocked> all;
   for (MethodCost& cost : costs) {
     const properties::Candidate candidate = cost.candidate.make();
-    std::vector<IntersectCall>& pairs = by_format[index_of(candidate.input_format())];
+    std::vector<IntersectCall>& pairs = by_format[candidate.input_format()];
     if (pairs.empty()) pairs = pairs_of(in_format_of(candidate, cases));
     std::vector<IntersectCall> inside;
     for (const IntersectCall& pair : pairs) {

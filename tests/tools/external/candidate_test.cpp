@@ -128,9 +128,9 @@ TEST(Candidate, that_is_slightly_wrong_breaks_only_the_matching_law) {
 
 TEST(Candidate, is_judged_by_its_declared_level_and_lengths) {
   const auto stating = altered(
-      ".nearest = nearest)",
+      ".nearest = nearest,",
       ".nearest = nearest, .level = Level::demanding, .smallest_length = 1e-9, .largest_length = "
-      "1e9)");
+      "1e9,");
   const auto campaign = [&](const std::string& more) {
     return stating("--filter class --cases 100 " + more)["campaigns"][0];
   };
