@@ -179,7 +179,9 @@ TEST(Candidate, can_read_folders_and_headers_given_by_options) {
   std::ofstream(folder + "/right.h") << contents(kFloats);
   std::ofstream(folder + "/beside.py")
       << contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py");
-  const std::string source = temporary_file("shown.cpp", "#include \"right.h\"\n");
+  // Headers in folders below the source's are found anyway.
+  const std::string source = temporary_folder("source") + "/shown.cpp";
+  std::ofstream(source) << "#include \"right.h\"\n";
   const std::string program = temporary_file("shows.py", "import runpy\nrunpy.run_path('" + folder +
                                                              "/beside.py', run_name='__main__')\n");
   for (const auto& [candidate, option] :
