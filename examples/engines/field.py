@@ -242,6 +242,8 @@ class Page:
             what = LAWS.get(campaign["law"])
             if not what or what in found or campaign["finding"] != "broken" or what in ("scaling", "axes"):
                 continue
+            if not campaign["discrepancies"]:
+                raise RuntimeError(f"{campaign['law']}: broken, but its smallest case shows no wrong answer: {campaign['scene']}")
             numbers = scene_numbers(campaign["scene"])
             part = next(part for part in campaign["parts"] if part["replay"] == campaign["replay"])
             severity = "" if part["severity"] is None else f"@{part['severity']}"
