@@ -29,5 +29,5 @@ static std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
 
 RAYCHECK_CANDIDATE(.focal_ray = focal_ray, .intersect = intersect,
                    .contract =
-                       "origin focal; samples centres; rows top-first; "
+                       "origin focal; samples centres; rows top-first; windows symmetric; "
                        "made_directions any; returns parameter; t_min 0.001")

@@ -97,7 +97,7 @@ then='
 PATH=$PWD/bin
 rm bin/cmake
 printf "#!/bin/bash\n: >asked\n" >bin/cmake
-mkdir scene reference fast properties proofs library include
+mkdir scene contract reference fast properties proofs library include
 touch CMakeLists.txt CMakePresets.json build/release/tools/raycheck-check build/release/build.ninja
 chmod +x bin/cmake build/release/tools/raycheck-check
 for change in : : "touch scene/new.cpp" : "touch packages.txt" "rm scene/new.cpp" \
