@@ -22,9 +22,16 @@ std::vector<scene::Defect> defects(const Declarations& declared) {
     found.push_back({"rays", "end", "cannot be combined with directions unit"});
   }
   const auto& valid = declared.conventions.valid;
-  if (declared.interface.from_inside != FromInside::kRoot && (!valid || valid->t_min > 0)) {
-    found.push_back({"from_inside", std::string(name(declared.interface.from_inside)),
-                     "cannot be combined with roots as-asked or with t_min above 0"});
+  const auto& [from_inside, returns] =
+      std::pair(declared.interface.from_inside, declared.interface.returns);
+  if (from_inside != FromInside::kRoot &&
+      (!valid || valid->t_min > 0 || returns == Returns::kRoots)) {
+    found.push_back({"from_inside", std::string(name(from_inside)),
+                     "cannot be combined with roots as-asked, t_min above 0 or returns roots"});
+  }
+  if (from_inside == FromInside::kNearRoot && returns == Returns::kSquaredDistance) {
+    found.push_back({"from_inside", "near-root",
+                     "cannot be combined with returns squared-distance, which has no sign"});
   }
   return found;
 }

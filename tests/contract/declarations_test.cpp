@@ -55,14 +55,20 @@ TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expect
          "'samplez', not one of rows, samples, corners, origin, root, tangent, roots, level"}}) {
     EXPECT_TRUE(has(thrown_by<std::invalid_argument>([&] { declared(contract); }), why));
   }
-  for (const auto& [contract, field] : {std::pair("lengths 2 1", "lengths"),
-                                        {"lengths nan 1", "lengths"},
-                                        {"lengths inf inf", "lengths"},
-                                        {"t_min 2; t_max 1", "conventions.t_max"},
-                                        {"t_min -1", "conventions.t_min"},
-                                        {"tolerance_c -1", "tolerance_c"},
-                                        {"tolerance_d_sq nan", "tolerance_d_sq"},
-                                        {"tolerance_s inf", "tolerance_s"}}) {
+  for (const auto& [contract, field] :
+       {std::pair("lengths 2 1", "lengths"),
+        {"lengths nan 1", "lengths"},
+        {"lengths inf inf", "lengths"},
+        {"t_min 2; t_max 1", "conventions.t_max"},
+        {"t_min -1", "conventions.t_min"},
+        {"tolerance_c -1", "tolerance_c"},
+        {"rays end; directions unit", "rays"},
+        {"from_inside start; t_min 0.1", "from_inside"},
+        {"from_inside start; returns roots", "from_inside"},
+        {"from_inside near-root; returns squared-distance", "from_inside"},
+        {"tolerance_c -1", "tolerance_c"},
+        {"tolerance_d_sq nan", "tolerance_d_sq"},
+        {"tolerance_s inf", "tolerance_s"}}) {
     const std::vector<scene::Defect> found = defects(declared(contract));
     ASSERT_EQ(found.size(), 1u) << contract;
     EXPECT_EQ(found[0].field, field);
