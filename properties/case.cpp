@@ -111,10 +111,15 @@ std::string accepted(contract::Placement placement) {
 }
 std::string accepted(contract::Windows windows) {
   return windows == contract::Windows::kSymmetric
-             ? "symmetric windows: left = -right < 0, bottom = -top < 0, near < 0"
+             ? "symmetric windows: left = -right < 0, bottom = -top < 0, near < 0, a field of "
+               "view of at most 166 degrees"
              : "symmetric windows with square pixels: left = -right < 0, bottom = -top < 0, "
-               "right / top = width / height, near < 0";
+               "right / top = width / height, near < 0, a field of view of at most 166 degrees";
 }
+
+/// The largest half of a window over near if it follows from a field of view, 166 degrees: tan(x)
+/// then multiplies a rounding of the angle by at most 12.
+constexpr double kWidest = 8;
 
 /// Replaces a window that the format does not accept, and returns whether it did.
 bool fit_window(scene::Camera& camera, InputFormat format) {
@@ -130,7 +135,7 @@ bool fit_window(scene::Camera& camera, InputFormat format) {
     right = size * width / 2;
     top = size * height / 2;
   }
-  camera.near = -std::abs(camera.near);
+  camera.near = -std::max({std::abs(camera.near), right / kWidest, top / kWidest});
   camera.left = -right;
   camera.right = right;
   camera.bottom = -top;

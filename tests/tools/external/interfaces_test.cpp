@@ -324,7 +324,7 @@ TEST(Interfaces, of_fields_of_view_have_windows_that_follow_from_them) {
     for (const auto windows : {contract::Windows::kSymmetric, contract::Windows::kSquarePixels}) {
       const properties::InputFormat format = {precision, {.windows = windows}};
       scene::Scene scene;
-      scene.camera = {{}, {0, 0, -1}, {0, 1, 0}, 0.7, {}, -0.3, 0.1, -0.2, 0.9, 641, 479};
+      scene.camera = {{}, {0, 0, -1}, {0, 1, 0}, 0.1, {}, -0.3, 0.1, -0.2, 0.9, 641, 479};
       EXPECT_FALSE(properties::is_of_format(scene, format));
       const auto rounded = properties::rounded_case({scene, {{1, 2}}}, format);
       ASSERT_TRUE(rounded.the_case && has(rounded.replaced, "symmetric windows"));
@@ -332,6 +332,7 @@ TEST(Interfaces, of_fields_of_view_have_windows_that_follow_from_them) {
       EXPECT_TRUE(properties::is_of_format(rounded.the_case->scene, format));
       EXPECT_TRUE(camera.near < 0 && camera.left < 0 && camera.bottom < 0);
       EXPECT_TRUE(camera.left == -camera.right && camera.bottom == -camera.top);
+      EXPECT_LE(std::max(camera.right, camera.top), -8 * camera.near);
       EXPECT_NEAR(camera.top, 0.9, 1e-3);
       if (windows == contract::Windows::kSquarePixels) {
         EXPECT_EQ(camera.right * 479, camera.top * 641);
