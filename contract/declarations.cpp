@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <stdexcept>
 
 namespace raycheck::contract {
 namespace {
@@ -89,6 +91,7 @@ void declare(Words& statement, Declarations& declared) {
 }
 
 void declare_all(std::string_view contract, Declarations& declared) {
+  std::set<std::string_view> names;
   while (!contract.empty()) {
     const std::size_t end = std::min(contract.find(';'), contract.size());
     std::string_view statement = contract.substr(0, end);
@@ -96,6 +99,10 @@ void declare_all(std::string_view contract, Declarations& declared) {
     const std::size_t first = statement.find_first_not_of(kBlank);
     if (first == std::string_view::npos) continue;
     statement = statement.substr(first, statement.find_last_not_of(kBlank) + 1 - first);
+    const std::string_view its_name = statement.substr(0, statement.find_first_of(kBlank));
+    if (!names.insert(its_name).second) {
+      throw std::invalid_argument("the contract declares " + std::string(its_name) + " twice");
+    }
     Words words(statement, "the contract");
     declare(words, declared);
     words.end();

@@ -219,6 +219,10 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
       return result;
     }
   }
+  if (!result.replaced.empty() && !is_of_format(the_case.scene, format)) {
+    result.reason = "no scene near this one is of the format and has " + result.replaced;
+    return result;
+  }
   result.the_case = std::move(the_case);
   return result;
 }

@@ -110,7 +110,8 @@ scene::Sphere passed(const scene::Sphere& sphere, const Interface& interface) {
       interface.placement == contract::Placement::kAnywhere ||
       (sphere.centre == scene::Point3{} &&
        (interface.placement == contract::Placement::kOrigin || sphere.radius == 1));
-  if (!is_placed) throw CannotBeSaid("the sphere is not placed as the candidate accepts it");
+  if (!is_placed)
+    throw CannotBeSaid("the law moves the sphere to where the candidate does not accept it");
   const bool by_diameter = interface.spheres == contract::SphereSize::kDiameter;
   return {sphere.centre, by_diameter ? 2 * sphere.radius : sphere.radius};
 }

@@ -226,6 +226,7 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
 /// question, otherwise the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
                          const std::optional<CodeLine>& line = {}, bool timed_out = false) {
+  scene::poll();  // an interrupt may have ended the candidate, too
   FailureSearch* const search = trial.options().search;
   if (search == nullptr || !asks_apart(law)) {
     return judged_failure(law, trial, Wrong::kFailed, message,
@@ -254,6 +255,7 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
 
 /// The verdict if the candidate fails on every question; a search reports that once.
 LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
+  scene::poll();
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {
     return {Verdict(law.name), true};

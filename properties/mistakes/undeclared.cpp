@@ -49,10 +49,13 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
   if (declared.valid) {
     for (const auto unit :
          {scene::TUnit::kAbsolute, scene::TUnit::kRadius, scene::TUnit::kLength}) {
-      add_valid("unit = " + std::string(scene::name(unit)), &scene::ValidRoots::unit, unit);
+      add_valid("t_unit = " + std::string(scene::name(unit)), &scene::ValidRoots::unit, unit);
     }
     add_valid("t_max = infinity", &scene::ValidRoots::t_max,
               std::numeric_limits<double>::infinity());
+    if (candidate.interface.rays == contract::RayForm::kEnd) {
+      add_valid("t_max = 1", &scene::ValidRoots::t_max, 1.0);
+    }
     add_valid("culling = none", &scene::ValidRoots::culling, scene::Culling::kNone);
     add_valid("t_min = 0", &scene::ValidRoots::t_min, 0.0);
     add_valid("t_min = -infinity", &scene::ValidRoots::t_min,

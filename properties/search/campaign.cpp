@@ -366,7 +366,8 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
   CampaignResult result = std::move(its.results[law]);
   const auto& declared = candidate.declared.valid;
   result.wants_hits = declared && !declared->is_usual();
-  const auto shrunk = [&](const CampaignPart& part, const Break& broken) {
+  // Empty if a candidate that timed out answers when it is asked again.
+  const auto shrunk = [&](const CampaignPart& part, const Break& broken) -> std::optional<Failure> {
     const std::uint64_t seed = parse_replay(broken.replay).seed;
     LawSearch search(asked, candidate, options, part.source);
     search.replay(seed, !its.answers_nothing());
@@ -374,32 +375,42 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
       search.judge_restarted();
       return *std::move(search.failure);
     }
+    const bool has_failed = std::ranges::all_of(
+        broken.defects, [](const DefectKind& kind) { return kind.wrong == Wrong::kFailed; });
+    if (!search.interrupted && part.timed_out && has_failed) return std::nullopt;
     return Failure{.shrunk = part.source.make(seed),
                    .verdict = part.verdict,
                    .replay = broken.replay,
-                   .is_shrunk = false};  // interrupted
+                   .is_of_earlier = !search.interrupted,
+                   .is_shrunk = false};
   };
-  std::vector<const CampaignPart*> broken;
-  for (const CampaignPart& part : result.parts) {
+  std::vector<CampaignPart*> broken;
+  for (CampaignPart& part : result.parts) {
     if (part.is_broken()) broken.push_back(&part);
   }
   std::stable_sort(broken.begin(), broken.end(), [](const auto* a, const auto* b) {
     return a->source.level() < b->source.level();
   });
   std::set<std::pair<const CaseSource*, std::vector<DefectKind>>> known;
-  for (const CampaignPart* part : broken) {
-    for (const Break& one : part->breaks) {
-      if (known.size() >= options.keep_going) break;
-      Failure failure = shrunk(*part, one);
-      if (!known.emplace(part->source.source, failure.verdict.defects(options.strict)).second) {
-        continue;
+  for (CampaignPart* part : broken) {
+    std::erase_if(part->breaks, [&](const Break& one) {
+      if (known.size() >= options.keep_going) return false;
+      std::optional<Failure> failure = shrunk(*part, one);
+      if (!failure) {
+        ++result.counts.left_out;
+        result.counts.reason = "the candidate timed out, but answers when it is asked again";
+        return true;
+      }
+      if (!known.emplace(part->source.source, failure->verdict.defects(options.strict)).second) {
+        return false;
       }
       if (result.failure) {
-        result.others.push_back(std::move(failure));
+        result.others.push_back(*std::move(failure));
       } else {
         result.failure = std::move(failure);
       }
-    }
+      return false;
+    });
   }
   if (result.failure) return result;
   for (const CampaignPart& part : result.parts) {

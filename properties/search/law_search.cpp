@@ -128,7 +128,7 @@ void LawSearch::until_interrupted(const Work& work) {
   try {
     work();
   } catch (const scene::Interrupted&) {
-    // The cases judged before the interrupt count.
+    interrupted = true;  // the cases judged before count
   }
   if (!strict_) part.undecided = part.verdict.undecided();
 }

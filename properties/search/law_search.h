@@ -22,6 +22,7 @@ class LawSearch {
 
   CampaignPart part;
   std::optional<Failure> failure;
+  bool interrupted = false;
 
   /// Judges the source's case of a seed, as rounded for the candidate. `trials` is null if the case
   /// is not valid under the candidate's conventions.

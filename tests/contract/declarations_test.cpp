@@ -42,13 +42,13 @@ TEST(Declarations, of_several_statements_are_all_taken) {
   EXPECT_EQ(all.conventions.valid,
             (scene::ValidRoots{.t_min = 0x1p-10, .ends = scene::Ends::kOpenMin}));
   EXPECT_EQ(all.conventions.rows, scene::Rows::kTopFirst);
-  EXPECT_FALSE(declared("rows top-first; rows as-asked").conventions.rows);
 }
 
 TEST(Declarations, that_are_unknown_or_malformed_are_refused_with_what_is_expected) {
   for (const auto& [contract, why] :
        {std::pair("rows up", "'up', not one of bottom-first, top-first"),
         {"level", "too few words"},
+        {"rows top-first; t_min 1; rows bottom-first", "the contract declares rows twice"},
         {"returns hit point", "too many words"},
         {"t_min soon", "not a number"},
         {"samplez edges",

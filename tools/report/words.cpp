@@ -209,7 +209,7 @@ std::string standings_text(const std::function<std::uint64_t(Standing standing)>
 }
 
 std::string tolerated_text(const properties::Verdict& verdict, const std::string& declared) {
-  if (declared.empty()) return {};
+  if (declared.empty() || verdict.tolerated() == 0) return {};
   return fmt::format(
       "{} of {} are right only within the declared {}: there either answer counts as right\n",
       verdict.tolerated(), count_text(verdict.compared(), "comparison"), declared);

@@ -186,6 +186,30 @@ TEST(Campaign, DropsACandidateThatAnswersNothing) {
   }
 }
 
+/// The failing case is asked again. A time-out may be the machine's; a wrong answer depends on
+/// earlier questions.
+TEST(Campaign, JudgesAFailureThatIsNotRepeated) {
+  for (const bool times_out : {true, false}) {
+    bool has_failed = false;
+    Candidate once = kGood;
+    once.classes_in = {};
+    once.intersect = [&](auto... of) {
+      std::vector<SphereHits> answers = kGood.intersect(of...);
+      const bool fails = !has_failed && !answers.empty() && !answers[0].empty();
+      has_failed = has_failed || fails;
+      if (fails && times_out) throw NoReply("no reply", {});
+      if (fails) answers[0].clear();
+      return answers;
+    };
+    const CampaignResult result = run_campaign(*find_law("class"), once, options_of(100, {"rays"}));
+    EXPECT_TRUE(has_failed);
+    EXPECT_EQ(result.finding() == Finding::kBroken, !times_out);
+    EXPECT_EQ(result.failure.has_value(), !times_out);
+    EXPECT_EQ(result.failure && result.failure->is_of_earlier, !times_out);
+    EXPECT_EQ(has(result.counts.reason, "answers when it is asked again"), times_out);
+  }
+}
+
 TEST(Campaign, GoesOnAfterABreak) {
   CampaignOptions far = options_of(1600, {"distance"});
   const CampaignResult result = run_campaign(*find_law("class"), kBad, far);
