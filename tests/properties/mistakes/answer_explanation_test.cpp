@@ -139,7 +139,7 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
       {following(&scene::Conventions::root, scene::Root::kNearest), "root = nearest"},
       {counting_all({.t_min = 0, .t_max = 1}), "t_max = infinity"},
       {counting_all({.t_min = -std::numeric_limits<double>::infinity()}), "t_min = 0"},
-      {cut_at_a_length(), "unit = length"},
+      {cut_at_a_length(), "t_unit = length"},
   };
   for (const auto& [candidate, text] : all) {
     SCOPED_TRACE(text);
