@@ -100,7 +100,8 @@ void declare_all(std::string_view contract, Declarations& declared) {
     if (first == std::string_view::npos) continue;
     statement = statement.substr(first, statement.find_last_not_of(kBlank) + 1 - first);
     const std::string_view its_name = statement.substr(0, statement.find_first_of(kBlank));
-    if (!names.insert(its_name).second) {
+    // "convention rows top-first" is the old form of "rows top-first".
+    if (its_name != "convention" && !names.insert(its_name).second) {
       throw std::invalid_argument("the contract declares " + std::string(its_name) + " twice");
     }
     Words words(statement, "the contract");

@@ -94,11 +94,13 @@ struct RoundedCase {
   std::string replaced = {};
 };
 
-/// Normalises given directions if the format needs that, then rounds every number of the scene to
-/// the format, to nearest, ties to even, and for segments the ends of given rays; then it replaces
-/// a window that the candidate does not accept, and moves E and A so that A - E is of the format,
-/// if that is needed. The case is left out if a number leaves the format's range (becomes infinite,
-/// or 0), or if the rounded scene is invalid.
+/// Moves and scales the scene so that its first sphere is one that the candidate accepts, and
+/// leaves out the others; samples at centres in place of corners that the candidate is not asked
+/// for. Then it normalises given directions if the format needs that, and rounds every number of
+/// the scene to the format, to nearest, ties to even, and for segments the ends of given rays. Last
+/// it replaces a window that the candidate does not accept, and moves E and A so that A - E is of
+/// the format, if that is needed. The case is left out if a number leaves the format's range
+/// (becomes infinite, or 0), or if the scene is then invalid or not of the format.
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
 /// The same for a scene that a user gives: it is left out if something would be replaced.

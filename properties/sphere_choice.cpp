@@ -29,6 +29,7 @@ namespace {
 /// A declared tolerance that allows a choice, or 0: it is within one, or it is first among the
 /// spheres that are not.
 double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
+  if (trial.candidate().tolerances == contract::Tolerances{}) return 0;
   const reference::ExactRay& exact = trial.exact_ray(ray);
   const auto& spheres = trial.scene().spheres;
   double size = 0;

@@ -38,7 +38,8 @@ TEST(Declarations, are_read_from_the_statements_that_they_write) {
 }
 
 TEST(Declarations, of_several_statements_are_all_taken) {
-  const Declarations all = declared(" t_min 0x1p-10;\n interval (] ;; convention rows top-first;");
+  const Declarations all = declared(
+      " t_min 0x1p-10;\n interval (] ;; convention rows top-first; convention root smaller;");
   EXPECT_EQ(all.conventions.valid,
             (scene::ValidRoots{.t_min = 0x1p-10, .ends = scene::Ends::kOpenMin}));
   EXPECT_EQ(all.conventions.rows, scene::Rows::kTopFirst);

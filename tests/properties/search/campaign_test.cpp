@@ -366,6 +366,17 @@ TEST(Campaign, EndsWhenItIsInterrupted) {
   EXPECT_GE(result.counts.cases, 9);
   EXPECT_LE(result.counts.cases, 10);
   EXPECT_EQ(answered, 10);
+  // An interrupt may end the candidate, too, before it is noticed.
+  answered = 0;
+  counting.classes_in = {};
+  counting.intersect = [&](auto... of) {
+    if (++answered >= 10) throw CandidateFailed("it was ended");
+    return kGood.intersect(of...);
+  };
+  const CampaignResult ended =
+      run_campaign(*find_law("class"), counting, options_of(1000), until_ten);
+  EXPECT_EQ(answered, 10);
+  EXPECT_NE(ended.finding(), Finding::kBroken);
 }
 
 TEST(Replay, NamesThePartThatIsWrong) {

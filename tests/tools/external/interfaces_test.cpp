@@ -124,7 +124,7 @@ std::string candidate(const Called& called, const std::string& contract) {
 }
 
 Outcome judged_by(const Called& called, const std::string& contract, const std::string& laws) {
-  return run("properties --cases 200 " + laws + " --candidate " + candidate(called, contract));
+  return run("properties --cases 140 " + laws + " --candidate " + candidate(called, contract));
 }
 
 TEST(Interfaces, are_right_as_declared) {
@@ -142,6 +142,13 @@ TEST(Interfaces, that_are_not_declared_are_named) {
     EXPECT_EQ(outcome.exit_code, 1) << called.name;
     expect_parts(outcome.out, {called.says});
   }
+}
+
+TEST(Interfaces, of_segments_without_a_largest_s_are_told_so) {
+  const auto segment = std::ranges::find(kCalled, "segment", &Called::name);
+  const Outcome outcome = judged_by(*segment, "rays end", "--filter class --source rays");
+  EXPECT_EQ(outcome.exit_code, 1);
+  expect_parts(outcome.out, {"right under t_max = 1, which the candidate does not declare"});
 }
 
 /// Plain functions that declare what they do not follow.

@@ -189,7 +189,7 @@ TEST(RubricCommand, copies_a_rubric_with_its_scenes_and_overwrites_nothing) {
   }
   EXPECT_GE(scenes, 10u);
   EXPECT_EQ(copied.out,
-            "wrote " + out + "/lecture7.toml and " + std::to_string(scenes) + " scenes\n");
+            "wrote " + out + "/lecture7.toml and " + std::to_string(scenes) + " files\n");
   grading.write("copy/of/it/lecture7.toml", "mine");
   const Outcome again = run("rubric lecture7.toml --out '" + out + "'", 2);
   expect_parts(again.err, {"out " + out + ": lecture7", " already exists there"});

@@ -169,6 +169,36 @@ rc.run("mine", pixel_ray=pixel_ray, rows="bottom-first", samples="edges", made_d
   EXPECT_EQ(points("unit", "1").exit_code, 0);
 }
 
+/// Code that takes every direction for a unit one is not given only such.
+TEST(TryCommand, gives_directions_of_any_length_to_a_submission_that_declares_unit_ones) {
+  const Grading grading;
+  const std::string rubric = grading.short_rubric(
+      "", item_of("lengths", "points = 4",
+                  functions("parameter", "direction-length@60", 6, kGivenRays)));
+  const auto points = [&](const std::string& name, const std::string& length) {
+    return try_it(grading, rubric, grading.hand_in(name, "rays.py", R"(import math
+import raycheck_candidate as rc
+
+def intersect(ray, sphere, conventions):
+    (o, d), (c, r) = ray, sphere
+    n = )" + length + R"(
+    d = [x / n for x in d]
+    t = [x - y for x, y in zip(c, o)]
+    m = [t[1]*d[2] - t[2]*d[1], t[2]*d[0] - t[0]*d[2], t[0]*d[1] - t[1]*d[0]]
+    v = sum(x * y for x, y in zip(t, d))
+    s = r * r - sum(x * x for x in m)
+    if s < 0:
+        return None
+    near, far = v - math.sqrt(s), v + math.sqrt(s)
+    return near / n if near >= 0 else far / n if far >= 0 else None
+
+rc.run("mine", intersect=intersect, returns="parameter", root="nearest", directions="unit")
+)"));
+  };
+  EXPECT_EQ(points("unit", "1").exit_code, 1);
+  EXPECT_EQ(points("any", "math.hypot(*d)").exit_code, 0);
+}
+
 TEST(TryCommand, ignores_tolerances_that_a_submission_declares) {
   const Grading grading;
   const std::string rubric = grading.short_rubric(

@@ -263,8 +263,7 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     // what items are about, or tolerances. An adapter is the instructor's.
     contract::Declarations& declared = external.introduction.declared;
     if (found.adapter.empty()) {
-      declared.interface = {.directions = declared.interface.directions,
-                            .returns = declared.interface.returns};
+      declared.interface = {.returns = declared.interface.returns};
       declared.tolerances = {};
     }
     // The program's folder must outlive it; a library keeps its folder itself.

@@ -93,7 +93,7 @@ std::string copy_rubric(const std::string& name, const std::string& out) {
     OutputFile("out", to).write(scene::file_text(source));
   }
   return fmt::format("wrote {} and {}\n", (fs::path(out) / from.filename()).string(),
-                     count_text(rubric.files.size(), "scene"));
+                     count_text(rubric.files.size(), "file"));
 }
 
 std::uint64_t secret_seed(std::string_view secret, std::string_view name) {
