@@ -25,7 +25,7 @@ LEVELS = ("ordinary", "demanding", "extreme")
 OWN = ("quadratic", "cross", "robust")
 LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "glsl": "GLSL", "opencl": "OpenCL"}
 LAWS = {  # by law: the kind of answer that a column shows
-    "class": "class", "growing-radius": "class", "nearest-root": "root", "parameter": "s",
+    "class": "class", "growing-radius": "class", "exchange": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",
 }
 ANSWERS = ("class", "root", "s", "Q", "picture")  # the kinds that frontiers depend on

@@ -25,8 +25,8 @@ constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 /// A transformation of a case.
 struct Transformation {
   std::string what;
-  scene::Vector3 (*map)(const scene::Vector3&);  ///< Maps directions.
-  double factor = 1;                             ///< Multiplies parameters.
+  scene::Vector3 (*map)(const scene::Vector3&) = nullptr;  ///< Maps directions.
+  double factor = 1;                                       ///< Multiplies parameters.
 };
 
 /// A candidate's answer about a ray and a sphere.
@@ -60,6 +60,46 @@ scene::Measured error_between(const PairAnswer& first, const PairAnswer& second,
       apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
+/// What is wrong with an answer of which another one is right.
+std::function<void(Discrepancy&)> describe_wrong(const PairAnswer& first, const PairAnswer& second,
+                                                 bool is_first_wrong, const std::string& by) {
+  return [=](Discrepancy& d) {
+    const PairAnswer& wrong = is_first_wrong ? first : second;
+    Trial& trial = wrong.trial;
+    d.what = (is_first_wrong ? "right only with " : "") + by;
+    d.symbol = info(Quantity::kParameter).symbol;
+    d.got_some_sphere =
+        wrong.hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
+    if (wrong.hit != nullptr && !d.got_some_sphere) d.got = {wrong.hit->parameter};
+    if (!trial.exact_hit(wrong.ray, wrong.sphere_index)) return;
+    d.exact = {rounded_s(trial.exact_ray(wrong.ray), wrong.sphere(), wrong.exact(),
+                         trial.candidate())};
+  };
+}
+
+/// Judges the hit classes of two answers for which the exact ones are the same, which show the
+/// wrong one if the answers contradict each other. Returns whether both are hits.
+bool compare_classes(const PairAnswer& first, const PairAnswer& second, const Place& place,
+                     Verdict& verdict, const std::string& by) {
+  Trial& trial = first.trial;
+  const bool is_hit = trial.exact_hit(first.ray, first.sphere_index);
+  const bool unjudged = is_unjudged(first.exact(), trial.conventions().tangent);
+  const bool differ = (first.hit == nullptr) != (second.hit == nullptr);
+  if (differ && unjudged) return false;
+  const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
+  // Two answers that are wrong in the same way agree, but are not right.
+  if (!differ && !unjudged && (first.hit != nullptr) != is_hit) {
+    verdict.not_right(Quantity::kClass, expected);
+    return false;
+  }
+  const Wrong wrong = !differ ? Wrong::kNot : is_hit ? Wrong::kMissed : Wrong::kFalseHit;
+  trial.judge(
+      verdict, {Quantity::kClass, expected, place, wrong},
+      [&] { return trial.excuse({first.answer(), second.answer()}); },
+      describe_wrong(first, second, (first.hit != nullptr) != is_hit, by));
+  return first.hit != nullptr && second.hit != nullptr;
+}
+
 /// The exact answers have the same hit class and root for both cases. They show which of two
 /// contradicting answers is wrong, and give the condition number.
 void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
@@ -67,40 +107,8 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   Trial& trial = first.trial;
   const reference::Intersection at = first.exact();
   const bool is_hit = trial.exact_hit(first.ray, first.sphere_index);
-  const bool unjudged = is_unjudged(at, trial.conventions().tangent);
-  const bool differ = (first.hit == nullptr) != (second.hit == nullptr);
-  if (differ && unjudged) return;
   const Place place = trial.place(first.ray, first.sphere_index);
-  const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
-  // Two answers that are wrong in the same way agree, but are not right.
-  if (!differ && !unjudged && (first.hit != nullptr) != is_hit) {
-    return verdict.not_right(Quantity::kClass, expected);
-  }
-  const auto describe = [&](Discrepancy& d) {
-    d.what = by.what;
-    d.symbol = info(Quantity::kParameter).symbol;
-    if (second.hit != nullptr) d.got = {second.hit->parameter};
-    if (first.hit != nullptr) d.exact = {first.hit->parameter * by.factor};
-  };
-  // If the answers contradict each other in hit class or root, the discrepancy shows the wrong
-  // answer and the truth.
-  const auto describe_wrong = [&](bool is_first_wrong) {
-    return [&, is_first_wrong](Discrepancy& d) {
-      const HitAnswer* hit = (is_first_wrong ? first : second).hit;
-      d.what = (is_first_wrong ? "right only with " : "") + by.what;
-      d.symbol = info(Quantity::kParameter).symbol;
-      d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
-      if (hit != nullptr && !d.got_some_sphere) d.got = {hit->parameter};
-      if (!is_hit) return;
-      const double s = rounded_s(trial.exact_ray(first.ray), first.sphere(), at, trial.candidate());
-      d.exact = {is_first_wrong ? s : s * by.factor};
-    };
-  };
-  const auto excuse = [&] { return trial.excuse({first.answer(), second.answer()}); };
-  const Wrong wrong = !differ ? Wrong::kNot : is_hit ? Wrong::kMissed : Wrong::kFalseHit;
-  trial.judge(verdict, {Quantity::kClass, expected, place, wrong}, excuse,
-              describe_wrong((first.hit != nullptr) != is_hit));
-  if (first.hit == nullptr || second.hit == nullptr) return;
+  if (!compare_classes(first, second, place, verdict, by.what)) return;
   if (!gives_parameter(trial.candidate().interface.returns)) return;
   const scene::Measured error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
@@ -116,16 +124,24 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
     trial.judge(verdict,
                 {Quantity::kRoot, root_expected(at), place,
                  is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
-                excuse, describe_wrong(is_at_other));
+                [&] { return trial.excuse({first.answer(), second.answer()}); },
+                describe_wrong(first, second, is_at_other, by.what));
     if (is_other_root) return;
   }
-  const auto condition = [&] {
-    return is_hit
-               ? reference::condition_of_parameter(trial.exact_ray(first.ray), first.sphere(), at)
-               : std::numeric_limits<double>::infinity();
-  };
   trial.measure(
-      verdict, {Quantity::kInvariance, place, error, bound}, condition, describe, {},
+      verdict, {Quantity::kInvariance, place, error, bound},
+      [&] {
+        return is_hit ? reference::condition_of_parameter(trial.exact_ray(first.ray),
+                                                          first.sphere(), at)
+                      : std::numeric_limits<double>::infinity();
+      },
+      [&](Discrepancy& d) {
+        d.what = by.what;
+        d.symbol = info(Quantity::kParameter).symbol;
+        d.got = {second.hit->parameter};
+        d.exact = {first.hit->parameter * by.factor};
+      },
+      {},
       [&] {
         return is_hit ? plain_condition(trial.candidate(), trial.exact_ray(first.ray),
                                         first.sphere(), at)
@@ -397,6 +413,67 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
     return verdict.leave_out("the candidate finds no hit before the radius grows");
 }
 
+/// The segment from the origin of a ray, along it, to a point that is about as near to the sphere.
+/// Its direction is rounded, so that its end is a number of the format. Empty if there is none.
+std::optional<scene::Ray> segment_of(scene::Ray ray, const scene::Sphere& sphere,
+                                     scene::Precision precision) {
+  const auto length = [](const auto& v) { return std::hypot(v.x, v.y, v.z); };
+  const auto& [O, D] = ray;
+  const double near = std::max(length(O - sphere.centre), sphere.radius);
+  const int exponent = std::ilogb(near) - std::ilogb(length(D)) + 1;
+  for (double* x : {&ray.direction.x, &ray.direction.y, &ray.direction.z}) {
+    *x = std::scalbn(*x, exponent);
+  }
+  contract::Interface segments;
+  segments.rays = contract::RayForm::kEnd;
+  ray = rounded_ray(ray, {precision, segments});
+  const scene::Point3 end = {O.x + D.x, O.y + D.y, O.z + D.z};
+  const bool is_near = length(end - sphere.centre) <= std::max(near, 2 * sphere.radius);
+  return is_near && scene::defects(ray).empty() ? std::optional(ray) : std::nullopt;
+}
+
+/// A sphere, a segment along each ray, each followed by the same segment from its other end, and
+/// the numbers of the rays. Roots count from s = 0 to s = 1, unless the candidate declares others.
+struct Exchanged {
+  Case the_case;
+  std::vector<std::size_t> rays;
+};
+Exchanged exchanged(Trial& trial, const scene::Sphere& sphere) {
+  Exchanged result;
+  Scene& scene = result.the_case.scene;
+  scene.spheres = {sphere};
+  scene.conventions = trial.conventions();
+  if (!trial.candidate().declared.valid) scene.conventions.valid = {.t_max = 1};
+  for (std::size_t k = 0; k < trial.ray_count(); ++k) {
+    const auto segment = segment_of(trial.rays()[k], sphere, trial.precision());
+    if (!segment) continue;
+    const auto& [O, D] = *segment;
+    scene.rays.push_back(*segment);
+    scene.rays.push_back({{O.x + D.x, O.y + D.y, O.z + D.z}, {-D.x, -D.y, -D.z}});
+    result.rays.push_back(k);
+  }
+  return result;
+}
+
+void judge_exchange(Trial& trial, Verdict& verdict) {
+  if (trial.candidate().interface.directions == contract::Directions::kUnit) {
+    return verdict.leave_out("the directions of segments are not unit, as the candidate needs");
+  }
+  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
+    const auto [the_case, rays] = exchanged(trial, trial.scene().spheres[sphere]);
+    if (rays.empty() || !is_inside_domain(trial.candidate(), the_case.scene)) continue;
+    Trial segments(the_case, trial.candidate());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      // If roots beyond the ends count, a sphere may be in front of one end only.
+      if (segments.exact_hit(2 * k, 0) != segments.exact_hit(2 * k + 1, 0)) continue;
+      compare_classes({segments, 2 * k, 0}, {segments, 2 * k + 1, 0}, trial.place(rays[k], sphere),
+                      verdict, "the ends of the segment exchanged");
+    }
+  }
+  if (verdict.compared() > 0) return;
+  verdict.leave_out("no segment near a sphere, along a ray, has the same answer from both ends");
+}
+
 constexpr Law kMetamorphicLawTable[] = {
     {.name = "scaling",
      .sentence = "scaling every length by 2^k scales every answer",
@@ -429,6 +506,13 @@ constexpr Law kMetamorphicLawTable[] = {
      .quantity = Quantity::kClass,
      .stage = Stage::kIntersection,
      .judge = judge_growing_radius},
+    {.name = "exchange",
+     .sentence = "exchanging the ends of a segment turns no hit into a miss",
+     .per = Per::kPair,
+     .needs = kOfHits | Needs::kRays,
+     .quantity = Quantity::kClass,
+     .stage = Stage::kIntersection,
+     .judge = judge_exchange},
 };
 
 }  // namespace

@@ -86,7 +86,7 @@ std::vector<Mutant> choice_mutants() {
                    {"class", "nearest-sphere"}),
       from_mistake("never-from-inside",
                    "only the near root counts, so that spheres around the origin are not seen",
-                   {"class", "growing-radius"}),
+                   {"class", "growing-radius", "exchange"}),
       from_mistake("near-from-inside",
                    "the near root is given even if it is negative: spheres around the origin are "
                    "hit behind it",

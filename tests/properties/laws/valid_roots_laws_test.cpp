@@ -158,6 +158,27 @@ TEST(ValidRootsLaws, ScaleAbsoluteEndsWithTheScene) {
   EXPECT_TRUE(has(grown.reason_left_out(), "t_min"));
 }
 
+TEST(ValidRootsLaws, HoldWithTheEndsOfASegmentExchanged) {
+  const auto found = [](const Candidate& candidate) {
+    CampaignOptions options;
+    options.cases = 200;
+    return run_campaign(*find_law("exchange"), candidate, options);
+  };
+  EXPECT_EQ(found(follower()).finding(), Finding::kHolds);
+  EXPECT_GT(found(follower()).verdict.compared(), 300u);
+  Candidate one = follower([](auto& c) { c.valid.culling = scene::Culling::kBackFaces; });
+  one.declared.valid = {.t_max = 1};
+  const CampaignResult broken = found(one);
+  ASSERT_TRUE(broken.failure);
+  EXPECT_TRUE(has(broken.failure->verdict.worst(1).front().what, "segment exchanged"));
+  one = follower();
+  one.declared.valid = scene::ValidRoots{.t_min = 0.25, .t_max = 2};
+  EXPECT_EQ(found(one).finding(), Finding::kHolds);
+  EXPECT_GT(found(one).verdict.compared(), 100u);
+  one.interface.directions = contract::Directions::kUnit;
+  EXPECT_TRUE(has(found(one).counts.reason, "not unit"));
+}
+
 TEST(ValidRootsLaws, HoldOnRandomCasesWithAnEpsilon) {
   Candidate declares = follower();
   declares.declared.valid = scene::ValidRoots{1e-3, kNoEnd, scene::Ends::kOpen, {}, {}};
