@@ -175,7 +175,7 @@ void for_each_word(SomeLengths& lengths, Visit visit) {
 /// exactly there only the exact answer is right.
 struct Tolerances {
   double discriminant = 0, d_sq = 0, distance = 0, radii = 0;  ///< Of rays that nearly touch.
-  double c = 0, surface = 0, s = 0;                            ///< Of origins nearly on a sphere.
+  double c = 0, surface = 0, s = 0, s_radii = 0;               ///< Of origins nearly on a sphere.
   bool operator==(const Tolerances&) const = default;
 };
 template <scene::Either<Tolerances> SomeTolerances, class Visit>
@@ -192,6 +192,7 @@ void for_each_tolerance(SomeTolerances& within, Visit visit) {
   visit("tolerance_surface", within.surface,
         "either answer is right if the origin is within this distance of the surface");
   visit("tolerance_s", within.s, "either answer is right if |s| of a root is at most this");
+  visit("tolerance_s_radii", within.s_radii, "tolerance_s in multiples of the radius");
 }
 
 /// All that a candidate declares. Unless it declares other roots, every root >= 0 counts.

@@ -48,8 +48,8 @@ bool is_at_most(const Enclosure& value, const Enclosure& most) {
 }
 
 /// Whether a root has an |s| of at most this: whether a s^2 - 2 b s + c has a zero there.
-bool has_small_root(const Enclosed& pair, double most) {
-  const Enclosure s = (Enclosure::within(most, 1, kBits) - Enclosure(most, kBits)) * pair.step;
+bool has_small_root(const Enclosed& pair, const Enclosure& most) {
+  const Enclosure s = (Enclosure::within(1, 1, kBits) - Enclosure(1)) * most * pair.step;
   const Enclosure c = Off(pair, pair.T).squares();
   return (s * s - Enclosure(2) * dot(pair.T, pair.D) * s + c).contains_zero();
 }
@@ -76,8 +76,13 @@ constexpr Kind kKinds[] = {{&Tolerances::discriminant, false,
                             }},
                            {&Tolerances::c, true, of_squares},
                            {&Tolerances::surface, true, of_length},
-                           {&Tolerances::s, true, [](const Off& off, const Enclosure& most) {
+                           {&Tolerances::s, true,
+                            [](const Off& off, const Enclosure& most) {
                               return is_at_most(off.length(), most * off.pair.step);
+                            }},
+                           {&Tolerances::s_radii, true, [](const Off& off, const Enclosure& most) {
+                              return is_at_most(off.length(),
+                                                most * off.pair.radius * off.pair.step);
                             }}};
 
 /// `hit`: the vector to the centre from where the hit is; null if that does not matter.
@@ -87,8 +92,9 @@ double first_of(const Tolerances& declared, const Enclosed& pair, const Enclosur
     if (size == 0) continue;
     const Enclosure most(size, kBits);
     const bool is_within =
-        member == &Tolerances::s
-            ? has_small_root(pair, size)
+        member == &Tolerances::s ? has_small_root(pair, most)
+        : member == &Tolerances::s_radii
+            ? has_small_root(pair, most * pair.radius)
             : allows({pair, is_of_origin ? pair.T : cross(pair.T, pair.D)}, most);
     if (is_within && (hit == nullptr || allows({pair, *hit}, most))) return size;
   }

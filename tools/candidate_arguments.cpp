@@ -85,6 +85,11 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
       "the MiB of memory that a candidate may use, and that each of its processes may reserve")
       ->needs(candidate);
   command
+      .add_option("--declare", arguments.declares,
+                  "what candidates promise, as if their code declared it: NAME VALUE, separated by "
+                  "semicolons (names: raycheck list)")
+      ->needs(candidate);
+  command
       .add_option("--bounds", arguments.bounds,
                   "the methods whose error bounds apply to candidates: INTERSECT or RAYS/INTERSECT "
                   "(default: direct/cross)")
@@ -165,6 +170,7 @@ RunOptions run_options(const ExternalArguments& arguments) {
   };
   options.includes = canonical(arguments.includes);
   options.reads = canonical(arguments.reads);
+  options.declares = arguments.declares;
   if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
   options.precision = arguments.precision;
   options.excused_image_change =

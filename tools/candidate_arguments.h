@@ -35,7 +35,8 @@ struct ExternalArguments {
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
   std::uint64_t memory_mib = Limits{}.memory >> 20;
-  std::string bounds;  ///< The methods whose bounds apply; empty: kDefaultMethods.
+  std::string declares;  ///< Statements of a contract.
+  std::string bounds;    ///< The methods whose bounds apply; empty: kDefaultMethods.
   scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
   std::optional<double> image_change;                      ///< Empty: the precision's default.
   double threshold = 0;

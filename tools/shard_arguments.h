@@ -40,7 +40,7 @@ inline constexpr std::string_view kReportOptions[] = {
 /// arguments, and `merge` takes them from one.
 inline constexpr std::string_view kUnitOptions[] = {
     "--filter",    "--cases",      "--seed",      "--rays",         "--source",      "--intersect",
-    "--candidate", "--read",       "--level",     "--include",      "--timeout",     "--memory",
+    "--candidate", "--declare",    "--read",       "--level",     "--include",      "--timeout",     "--memory",
     "--bounds",    "--target",     "--precision", "--image-change", "--t-threshold", "--origin",
     "--dialect",   "--keep-going", "--max-ulp",   "--method",       "--severity",    "--quantity",
     "--by",        "--steps",      "--searches",  "--pixels",       "--secret-file", "--strict",

@@ -222,7 +222,7 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
   const bool is_scale_free =
       !own || own->unit == scene::TUnit::kRadius || (own->t_min == 0 && std::isinf(own->t_max));
   contract::Tolerances absolute = trial.candidate().tolerances;
-  absolute.radii = 0;
+  absolute.radii = absolute.s_radii = 0;
   if (!is_scale_free || !(absolute == contract::Tolerances{})) {
     return verdict.leave_out(
         "the candidate's own t_min, t_max or tolerance does not scale with the scene");

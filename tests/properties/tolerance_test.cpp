@@ -32,7 +32,8 @@ const Measure kMeasures[] = {{&Tolerances::discriminant, kGrazing, 16 * kOff*(4 
                              {&Tolerances::radii, kGrazing, kOff / 2, 2.5},
                              {&Tolerances::c, kOffSurface, kOff*(4 + kOff), 0},
                              {&Tolerances::surface, kOffSurface, kOff, 0},
-                             {&Tolerances::s, kOffSurface, kOff / 2, 0}};
+                             {&Tolerances::s, kOffSurface, kOff / 2, 0},
+                             {&Tolerances::s_radii, kOffSurface, kOff / 4, 0}};
 
 TEST(Tolerance, HasASizeAndAnswersAsNearToTheSurface) {
   for (const Measure& one : kMeasures) {

@@ -391,6 +391,23 @@ External introduced(std::string name, const Confined& program,
   return external;
 }
 
+void declare_over(std::string_view statements, External& external) {
+  if (statements.empty()) return;
+  if (external.renderer) {
+    throw std::invalid_argument("a renderer has no functions about which this could be declared");
+  }
+  contract::Declarations& declared = external.introduction.declared;
+  const contract::Returns returns = declared.interface.returns;
+  contract::declare_all(statements, declared);
+  if (declared.interface.returns != returns) {
+    throw std::invalid_argument("what functions return must be declared in their code");
+  }
+  if (const auto wrong = contract::defects(declared); !wrong.empty()) {
+    throw std::invalid_argument(scene::sentences(wrong));
+  }
+  external.precision = declared.precision;
+}
+
 External rendering(std::string name, Renderer renderer) {
   External external;
   external.name = std::move(name);

@@ -26,6 +26,7 @@ struct External {
   /// The format in which it is judged: the one that it declares or, for a renderer, the user's
   /// choice.
   scene::Precision precision = scene::Precision::kDouble;
+  std::string declares = {};  ///< What the user declares of it besides.
   /// The methods whose bounds apply to it, because it documents none.
   MethodPair bounds = kDefaultMethods;
   /// The shared library that its process loads; may be empty.
@@ -53,6 +54,11 @@ struct External {
 External introduced(std::string name, const Confined& program,
                     std::shared_ptr<const PrivateFolder> folder,
                     std::shared_ptr<AnswerStore> answers);
+
+/// Declares more of the candidate than its code does, or in place of it: "from_inside start".
+/// Errors: std::invalid_argument naming the statement; a renderer declares nothing, and what
+/// functions return is declared in their code.
+void declare_over(std::string_view statements, External& external);
 
 External rendering(std::string name, Renderer renderer);
 

@@ -76,6 +76,9 @@ Implementation implementation_of(const External& external) {
       .tolerances = tolerances_of(external.introduction.declared),
       .make = [external] { return external_candidate(external); },
       .in_process = [external] { return calls_in_process(external); }};
+  if (!external.declares.empty()) {
+    implementation.arguments = " --declare " + shell_word(external.declares);
+  }
   if (external.renderer) {
     implementation.bounds_of.clear();
     implementation.arguments = arguments_of(*external.renderer, external.precision);

@@ -49,6 +49,25 @@ TEST(Contracts, that_return_something_else_than_declared_are_broken) {
   EXPECT_EQ(finding(laws_of(plain, "--filter parameter", 1), "parameter"), "broken");
 }
 
+TEST(Contracts, are_declared_by_users_of_code_that_stays_as_it_is) {
+  const std::string at_one = tracer("at_one.py", "s >= 1", "(s, point)", "");
+  const std::string laws = "--filter class --source rays ";
+  EXPECT_EQ(finding(laws_of(at_one, laws, 1), "class"), "broken");
+  EXPECT_EQ(finding(laws_of(at_one, laws + "--declare 't_min 1; root nearest' "), "class"),
+            "holds");
+  const auto refused = [&](const std::string& statements, const std::string& says) {
+    const Outcome outcome =
+        run("properties --candidate '" + at_one + "' --declare '" + statements + "'", 2);
+    expect_parts(outcome.err, {"--declare '" + statements + "': ", says});
+  };
+  refused("t_mim 1", "declares 't_mim', not one of rows, samples");
+  refused("rays end; directions unit", "rays = end: cannot be combined with directions unit");
+  refused("returns class", "what functions return must be declared in their code");
+  const Outcome replayed =
+      run("properties --candidate '" + at_one + "' --declare 't_min 2' " + laws, 1);
+  expect_parts(replayed.out, {"--declare \"t_min 2\" --replay 'class:"});
+}
+
 /// This code takes s for a length, which is right only for unit directions.
 TEST(Contracts, that_require_unit_directions_receive_no_others) {
   const std::string says = "returns='parameter', directions='unit'";

@@ -140,13 +140,9 @@ TEST(TryCommand, names_the_file_names_for_functions_if_another_has_them) {
   EXPECT_FALSE(has(drawn.out, "rename it")) << drawn.out;
 }
 
-/// What a submission declares must not take an item's subject away.
-TEST(TryCommand, ignores_how_a_submission_would_be_called) {
-  const Grading grading;
-  const std::string rubric = grading.short_rubric(
-      "", item_of("unit", "points = 4", functions("unit-direction", "course", 6)));
-  const auto points = [&](const std::string& name, const std::string& length) {
-    return try_it(grading, rubric, grading.hand_in(name, "rays.py", R"(import math
+/// Rays whose directions have this length, with this height of pixel (i, j) on the image plane.
+std::string rays_in_python(const std::string& length, const std::string& height) {
+  return R"(import math
 import raycheck_candidate as rc
 
 def pixel_ray(camera, conventions, pixel):
@@ -154,19 +150,58 @@ def pixel_ray(camera, conventions, pixel):
         return [x / math.hypot(*v) for x in v]
     def cross(a, b):
         return [a[1]*b[2] - a[2]*b[1], a[2]*b[0] - a[0]*b[2], a[0]*b[1] - a[1]*b[0]]
+    i, j = pixel
     w = unit([e - l for e, l in zip(camera.eye, camera.look_at)])
     u = unit(cross(camera.up, w))
     v = cross(w, u)
-    a = camera.left + (camera.right - camera.left) * pixel[0] / (camera.width - 1)
-    b = camera.bottom + (camera.top - camera.bottom) * pixel[1] / (camera.height - 1)
+    a = camera.left + (camera.right - camera.left) * i / (camera.width - 1)
+    b = )" +
+         height + R"(
     d = [camera.near * n + a * x + b * y for n, x, y in zip(w, u, v)]
-    return [e + x for e, x in zip(camera.eye, d)], [)" + length + R"( * x for x in unit(d)]
+    return [e + x for e, x in zip(camera.eye, d)], [)" +
+         length + R"( * x for x in unit(d)]
 
-rc.run("mine", pixel_ray=pixel_ray, rows="bottom-first", samples="edges", made_directions="any")
-)"));
+rc.run("mine", pixel_ray=pixel_ray, samples="edges", made_directions="any")
+)";
+}
+constexpr const char *kUpwards =
+                         "camera.bottom + (camera.top - camera.bottom) * j / (camera.height - 1)",
+                     *kDownwards =
+                         "camera.top - (camera.top - camera.bottom) * j / (camera.height - 1)";
+
+/// What a submission declares must not take an item's subject away.
+TEST(TryCommand, ignores_how_a_submission_would_be_called) {
+  const Grading grading;
+  const std::string rubric = grading.short_rubric(
+      "", item_of("unit", "points = 4", functions("unit-direction", "course", 6)));
+  const auto points = [&](const std::string& name, const std::string& length) {
+    return try_it(grading, rubric,
+                  grading.hand_in(name, "rays.py", rays_in_python(length, kUpwards)));
   };
   EXPECT_EQ(points("long", "3").exit_code, 1);
   EXPECT_EQ(points("unit", "1").exit_code, 0);
+}
+
+/// An assignment that does not ask for unit directions, and accepts rows in either order.
+TEST(TryCommand, judges_by_what_the_rubric_declares) {
+  const Grading grading;
+  const std::string rubric = grading.write(
+      "either.toml", R"([conventions]
+rows = "either"
+samples = "edges"
+origin = "pixel"
+[[form]]
+has = "rays.py"
+candidate = "command:python3 {file}"
+declares = "made_directions any"
+)" + item_of("unit", "points = 4", functions("unit-direction", "course", 6)) +
+                         item_of("rays", "points = 4", functions("direction", "course", 6)));
+  const auto points = [&](const std::string& name, const std::string& height) {
+    return try_it(grading, rubric, grading.hand_in(name, "rays.py", rays_in_python("3", height)));
+  };
+  EXPECT_EQ(points("up", kUpwards).exit_code, 0);
+  EXPECT_EQ(points("down", kDownwards).exit_code, 0);
+  EXPECT_TRUE(has(points("middle", "(camera.top + camera.bottom) / 2 + 0 * j").out, "4 of 8"));
 }
 
 /// Code that takes every direction for a unit one is not given only such.

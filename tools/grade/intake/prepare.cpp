@@ -257,8 +257,6 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
                    ? compiled_external(program, options.folder / by, options)
                    : find_external(program, options);
     found.build_seconds = build.seconds;
-    // The rubric sets the precision, whatever the submission declares.
-    external.precision = scene::Precision::kDouble;
     // Nor may it choose how it is called: rows for columns, or directions that are not unit, are
     // what items are about, or tolerances. An adapter is the instructor's.
     contract::Declarations& declared = external.introduction.declared;
@@ -266,6 +264,9 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
       declared.interface = {.returns = declared.interface.returns};
       declared.tolerances = {};
     }
+    declare_over(intake.fitting.form.declares, external);
+    // The rubric sets the precision, whatever the submission declares.
+    external.precision = scene::Precision::kDouble;
     // The program's folder must outlive it; a library keeps its folder itself.
     if (!external.folder) external.folder = build.folder;
     if (external.renderer) ask_in_its_form(runnable, intake, options.folder, control);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
@@ -267,7 +268,21 @@ class Judge {
 
 std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control) {
-  return Judge(rubric, std::move(judged), seed, control).judge();
+  if (!rubric.rows_either) return Judge(rubric, std::move(judged), seed, control).judge();
+  std::vector<ItemGrade> best;
+  const auto lost = [](const std::vector<ItemGrade>& grades) {
+    return std::accumulate(grades.begin(), grades.end(), 0.0, [](double sum, const ItemGrade& one) {
+      return sum + one.points - one.score;
+    });
+  };
+  for (const scene::Rows rows : {scene::Rows::kBottomFirst, scene::Rows::kTopFirst}) {
+    Rubric either = rubric;
+    either.conventions.rows = rows;
+    std::vector<ItemGrade> grades = Judge(either, judged, seed, control).judge();
+    if (best.empty() || lost(grades) < lost(best)) best = std::move(grades);
+    if (lost(best) == 0) break;
+  }
+  return best;
 }
 
 }  // namespace raycheck::tools

@@ -11,6 +11,7 @@
 #include "scene/files/file_text.h"
 #include "scene/files/toml_fields.h"
 #include "scene/invalid_input.h"
+#include "tools/external/external_candidate.h"
 
 namespace raycheck::tools {
 namespace {
@@ -65,7 +66,11 @@ class RubricReader {
       }
     }
     if (const auto field = fields_.optional(file, "conventions")) {
-      scene::read_conventions(fields_, fields_.table(*field), rubric.conventions);
+      const Table conventions = fields_.table(*field);
+      const auto rows = fields_.optional(conventions, "rows");
+      rubric.rows_either = rows && rows->node.value<std::string_view>() == "either";
+      scene::read_conventions(fields_, conventions, rubric.conventions,
+                              rubric.rows_either ? "rows" : "");
     }
     if (const auto field = fields_.optional(file, "tolerance")) tolerance_ = tolerance(*field);
     for (const Table& each : fields_.tables(file, "form")) rubric.forms.push_back(form(each));
@@ -122,7 +127,7 @@ class RubricReader {
   }
 
   Form form(const Table& from) {
-    fields_.require_known(from, {"has", "build", "candidate", "adapter"});
+    fields_.require_known(from, {"has", "build", "candidate", "adapter", "declares"});
     Form result{.has = fields_.text(fields_.required(from, "has")),
                 .build = given_text(from, "build", ""),
                 .program = {}};
@@ -131,6 +136,9 @@ class RubricReader {
     const bool is_usual = !usual.empty() && !fields_.optional(from, "candidate");
     const auto candidate = [&] { return fields_.required(from, "candidate"); };
     result.program = is_usual ? parse_candidate(usual) : program(candidate());
+    if (const auto field = fields_.optional(from, "declares")) {
+      result.declares = contract_of(*field, result.program);
+    }
     if (result.has.find('/') != std::string::npos) {
       fields_.fail(fields_.required(from, "has"), "must be a file name, without a folder");
     }
@@ -142,6 +150,20 @@ class RubricReader {
       fields_.fail(candidate(), "build = \"auto\" requires {program} in a renderer: or command:");
     }
     return result;
+  }
+
+  std::string contract_of(const Field& field, const CandidateSpec& program) {
+    External external;
+    if (program.kind == CandidateKind::kRenderer) external.renderer.emplace();
+    std::string statements = fields_.text(field);
+    std::string wrong;
+    try {
+      declare_over(statements, external);
+    } catch (const std::invalid_argument& error) {
+      wrong = error.what();
+    }
+    if (!wrong.empty()) fields_.fail(field, wrong);
+    return statements;
   }
 
   Adapter adapter_of(const Field& field) {

@@ -116,6 +116,7 @@ struct Form {
   /// {file} stands for the file found, {program} for the program that was built.
   CandidateSpec program;
   std::optional<Adapter> adapter = {};
+  std::string declares = {};  ///< Statements of the contract that submissions have.
 
   bool is_built_automatically() const { return build == "auto"; }
 };
@@ -135,6 +136,7 @@ struct Rubric {
   std::string title;
   /// These override the conventions that a submission declares.
   properties::DeclaredConventions conventions;
+  bool rows_either = false;  ///< Whether either image row may be j = 0 (rows = "either").
   double seconds = 120;      ///< For all questions to a submission.
   double reply_seconds = 5;  ///< For one reply, or one picture.
   double build_seconds = 120;
