@@ -39,12 +39,12 @@ inline constexpr std::string_view kReportOptions[] = {
 /// Options that units depend on: a shard writes them into its folder, with the positional
 /// arguments, and `merge` takes them from one.
 inline constexpr std::string_view kUnitOptions[] = {
-    "--filter",    "--cases",      "--seed",      "--rays",         "--source",      "--intersect",
-    "--candidate", "--declare",    "--read",       "--level",     "--include",      "--timeout",     "--memory",
-    "--bounds",    "--target",     "--precision", "--image-change", "--t-threshold", "--origin",
-    "--dialect",   "--keep-going", "--max-ulp",   "--method",       "--severity",    "--quantity",
-    "--by",        "--steps",      "--searches",  "--pixels",       "--secret-file", "--strict",
-    "--all"};
+    "--filter",    "--cases",   "--seed",       "--rays",      "--source",       "--intersect",
+    "--candidate", "--declare", "--read",       "--level",     "--include",      "--timeout",
+    "--memory",    "--bounds",  "--target",     "--precision", "--image-change", "--t-threshold",
+    "--origin",    "--dialect", "--keep-going", "--max-ulp",   "--method",       "--severity",
+    "--quantity",  "--by",      "--steps",      "--searches",  "--pixels",       "--secret-file",
+    "--strict",    "--all"};
 
 /// Those of both that have no value.
 inline constexpr std::string_view kFlags[] = {"--i-know", "--update-baseline", "--strict-baseline",
