@@ -170,7 +170,6 @@ RunOptions run_options(const ExternalArguments& arguments) {
   };
   options.includes = canonical(arguments.includes);
   options.reads = canonical(arguments.reads);
-  options.declares = arguments.declares;
   if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
   options.precision = arguments.precision;
   options.excused_image_change =
@@ -192,6 +191,12 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
     External external = located(what, options);
     if (external.renderer && driver && driver->tries_others)
       external = as_it_reads(external, *driver);
+    try {
+      declare_over(arguments.declares, external);
+    } catch (const std::invalid_argument& error) {
+      throw CandidateError(fmt::format("--declare '{}': {}", arguments.declares, error.what()), {},
+                           what);
+    }
     found.push_back(implementation_of(external));
     found.back().number = all_intersect_methods().size() + found.size() - 1;
   }

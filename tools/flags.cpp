@@ -61,10 +61,11 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
   return pixel;
 }
 
-std::optional<scene::Dialect> parse_dialect(const std::string& text) {
+scene::ReadAs parse_dialect(const std::string& text) {
   const auto rule = parse_driver(text);
-  // With `auto` the dialect is detected from the file.
-  return rule && !rule->tries_others ? std::optional(rule->form.dialect) : std::nullopt;
+  if (!rule || rule->tries_others) return {};  // `auto`: detected from the file
+  if (rule->form.format != nullptr) return rule->form.format;
+  return rule->form.dialect;
 }
 
 std::optional<DriverRule> parse_driver(const std::string& text) {
@@ -79,15 +80,15 @@ std::optional<DriverRule> parse_driver(const std::string& text) {
 void add_dialect(CLI::App& command, std::string& dialect) {
   command.add_option(
       "--dialect", dialect,
-      "the dialect of a driver file: A, B or C, or the year of a course, 2017 to 2020");
+      "the format of the scene file: A, B or C, or the year of a course, 2017 to 2020, "
+      "for driver files; nff or another name of `raycheck list`; or a file FORMAT.toml");
 }
 
 void add_rubric_dialect(CLI::App& command, std::string& dialect) {
-  command.add_option(
-      "--dialect", dialect,
-      "the form of driver files for renderers, in place of the rubric's [driver]: A, "
-      "B, C, 2017 to 2020, auto (the form that each one reads), or a form such as "
-      "B:17:no-light");
+  command.add_option("--dialect", dialect,
+                     "the form of scene files for renderers, in place of the rubric's [driver]: A, "
+                     "B, C, 2017 to 2020, auto (the form that each one reads), a form such as "
+                     "B:17:no-light, the name of a format such as nff, or a file FORMAT.toml");
 }
 
 properties::ChosenSource parse_source(std::string_view option, const std::string& name) {

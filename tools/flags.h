@@ -30,8 +30,8 @@ std::int64_t parse_index(const char* option, std::string_view text, std::int64_t
 /// A pixel of a scene's camera, "I,J"; the error also names the scene's file.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
-/// The dialect of a driver file to be read, from --dialect; empty for an empty text.
-std::optional<scene::Dialect> parse_dialect(const std::string& text);
+/// How a file is to be read, from --dialect; nothing for an empty text.
+scene::ReadAs parse_dialect(const std::string& text);
 /// The driver form from --dialect, or the rule `auto` (each is tried); empty for an empty text.
 std::optional<DriverRule> parse_driver(const std::string& text);
 void add_dialect(CLI::App& command, std::string& dialect);

@@ -1,6 +1,7 @@
 #include "scene/files/scene_file.h"
 
 #include "scene/files/file_text.h"
+#include "scene/files/format.h"
 #include "scene/files/toml_fields.h"
 #include "scene/interruption.h"
 
@@ -73,11 +74,13 @@ LoadedScene read_toml(std::string_view text, std::string_view file) {
   return {SceneReader(file).read_scene(parse_toml(text, file)), {}};
 }
 
-LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect> dialect) {
+LoadedScene load_scene(const std::filesystem::path& path, const ReadAs& as) {
   const std::string text = file_text(path);
-  if (path.extension() != ".toml") return read_driver_file(text, path.string(), dialect);
+  const FileFormat* const format = as.format ? as.format : format_of(path.string());
+  if (format != nullptr) return read_formatted(*format, text, path.string());
+  if (path.extension() != ".toml") return read_driver_file(text, path.string(), as.dialect);
   LoadedScene loaded = read_toml(text, path.string());
-  if (dialect) {
+  if (as.dialect) {
     loaded.warnings.push_back(path.string() +
                               ": a dialect was given, but only driver files have one");
   }

@@ -35,15 +35,28 @@ struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;
   std::optional<Dialect> dialect = {};  ///< The dialect of a driver file.
-  /// Parts of a driver file that are ignored because only shading needs them: "ambient", "2
+  std::string format = {};  ///< The format of a file (scene/formats/); empty for others.
+  /// Parts of the file that are ignored because only shading needs them: "ambient", "2
   /// lights".
   std::vector<std::string> not_needed = {};
 };
 
-/// Reads a scene file: TOML if the name ends in ".toml", otherwise a driver file.
-/// Domain: the scene is valid (scene/validate.h); otherwise throws SceneFileError. `dialect` is
-/// used if the contents of a driver file do not determine its dialect.
-LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect> dialect = {});
+struct FileFormat;
+
+/// How a file is to be read if its name does not tell: in a format, or as a driver file, of a
+/// dialect that is used if its contents do not determine it.
+struct ReadAs {
+  ReadAs() = default;
+  ReadAs(Dialect its_dialect) : dialect(its_dialect) {}
+  ReadAs(const FileFormat* its_format) : format(its_format) {}
+  std::optional<Dialect> dialect = {};
+  const FileFormat* format = nullptr;
+};
+
+/// Reads a scene file: TOML if the name ends in ".toml"; in the format to which the name's ending
+/// belongs; otherwise a driver file.
+/// Domain: the scene is valid (scene/validate.h); otherwise throws SceneFileError.
+LoadedScene load_scene(const std::filesystem::path& path, const ReadAs& as = {});
 
 /// Reads a scene from text; `file` is the name of the file in errors and warnings.
 LoadedScene read_toml(std::string_view text, std::string_view file);

@@ -80,14 +80,15 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
   return std::move(draft.report);
 }
 
-/// The scene. Renderers that do not keep their form are changed to the dialect of the file.
+/// The scene. Renderers that do not keep their form are changed to that of the file.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
   scene::LoadedScene loaded =
-      scene::load_scene(options.path, draw ? std::nullopt : options.dialect);
-  if (!loaded.dialect || options.keeps_forms) return loaded;
+      scene::load_scene(options.path, draw ? scene::ReadAs{} : options.read_as);
+  const std::string form = loaded.dialect ? std::string(name(*loaded.dialect)) : loaded.format;
+  if (form.empty() || options.keeps_forms) return loaded;
   for (Implementation& one : implementations) {
-    if (one.draws()) one = one.reading(*loaded.dialect);
+    if (one.draws()) one = one.reading(form);
   }
   return loaded;
 }

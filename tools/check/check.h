@@ -62,7 +62,7 @@ inline constexpr std::size_t kKeptExcluded = 10;
 struct CheckOptions {
   std::string path;
   /// The dialect of a driver file, if there are no renderers. Empty: detected from the file.
-  std::optional<scene::Dialect> dialect;
+  scene::ReadAs read_as;
   /// Whether renderers get files in their own form. If not, in the scene's dialect.
   bool keeps_forms = false;
   std::vector<Implementation> implementations;

@@ -31,7 +31,7 @@ struct CheckArguments {
 int run_check(CheckArguments& arguments) {
   CheckOptions& options = arguments.options;
   options.keeps_forms = !arguments.judged.dialect.empty();
-  options.dialect = parse_dialect(arguments.judged.dialect);
+  options.read_as = parse_dialect(arguments.judged.dialect);
   options.implementations = arguments.all ? built_in(all_pairs()) : find_judged(arguments.judged);
   if (options.implementations.empty()) options.implementations = {built_in(kDefaultMethods)};
   if (arguments.pixels != "all") {
@@ -69,8 +69,8 @@ CommandRun add_check(CLI::App& command) {
       ->required();
   command.add_option("--dialect", judged.dialect,
                      "the format of driver files: A, B or C, the year of a course (2017 to 2020), "
-                     "auto (what the renderer reads), or a form such as B:17:no-light (default: "
-                     "the scene's own, else B)");
+                     "auto (what the renderer reads), a form such as B:17:no-light, another format "
+                     "such as nff, or a file FORMAT.toml (default: the scene's own, else B)");
   CLI::Option* const rays =
       command.add_option("--rays", judged.rays, "the method that makes rays (default: direct)");
   CLI::Option* const intersect =

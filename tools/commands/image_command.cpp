@@ -38,7 +38,7 @@ scene::Pixel parse_size(const std::string& text) {
 int run_image(const ImageArguments& arguments) {
   ImageOptions options;
   options.path = arguments.scene;
-  options.dialect = parse_dialect(arguments.dialect);
+  options.read_as = parse_dialect(arguments.dialect);
   options.what = arguments.what;
   if (!arguments.size.empty()) options.size = parse_size(arguments.size);
   const std::vector<std::string>& candidates = arguments.external.candidates;

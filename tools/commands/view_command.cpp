@@ -82,9 +82,11 @@ std::vector<Selection> wanted(const ViewArguments& arguments, const scene::Scene
 CheckOptions check_options(const ViewArguments& arguments, const Size& size) {
   CheckOptions options;
   options.path = arguments.scene;
-  options.dialect = parse_dialect(arguments.dialect);
+  options.read_as = parse_dialect(arguments.dialect);
   std::optional<DriverRule> driver;
-  if (options.dialect) driver = DriverRule{{.dialect = *options.dialect}, false};
+  const auto& [dialect, format] = options.read_as;
+  if (dialect) driver = DriverRule{{.dialect = *dialect}, false};
+  if (format != nullptr) driver = parse_driver(arguments.dialect);
   options.keeps_forms = driver.has_value();
   options.implementations = find_candidates(arguments.external, driver);
   if (size.rays * size.spheres > kMostJudged) {

@@ -302,7 +302,13 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   candidate.level = properties::Level::kOrdinary;
   candidate.excused_image_change = external.renderer->excused_change;
   candidate.image_threshold = external.renderer->threshold;
-  candidate.declared.origin = external.renderer->origin;
+  candidate.interface = external.introduction.declared.interface;
+  if (const scene::FileFormat* const format = external.renderer->driver.format) {
+    candidate.declared.rows = format->rows;
+    candidate.declared.samples = format->samples;
+    candidate.declared.origin = format->origin;
+  }
+  if (external.renderer->origin) candidate.declared.origin = external.renderer->origin;
   candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
                                                          const scene::Conventions& conventions) {
     return properties::asked_by_us([&] { return pictures->of(scene, conventions.rows, last); });
@@ -351,6 +357,15 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
     candidate.intersect = of_rays("intersect", &Reply::hits);
   }
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
+}
+
+/// What the format of its scene files implies.
+Introduction introduction_of(const Renderer& renderer) {
+  Introduction introduction;
+  if (const scene::FileFormat* const format = renderer.driver.format; format && format->has_angle()) {
+    introduction.declared.interface.windows = contract::Windows::kSquarePixels;
+  }
+  return introduction;
 }
 
 }  // namespace
@@ -406,10 +421,12 @@ void declare_over(std::string_view statements, External& external) {
     throw std::invalid_argument(scene::sentences(wrong));
   }
   external.precision = declared.precision;
+  external.declares = statements;
 }
 
 External rendering(std::string name, Renderer renderer) {
   External external;
+  external.introduction = introduction_of(renderer);
   external.name = std::move(name);
   external.program = renderer.program;
   external.pictures = std::make_shared<Pictures>(renderer);
@@ -420,6 +437,7 @@ External rendering(std::string name, Renderer renderer) {
 External reading(const External& renderer, const DriverForm& driver) {
   External external = renderer;
   external.renderer->driver = driver;
+  external.introduction = introduction_of(*external.renderer);
   external.pictures = std::make_shared<Pictures>(*external.renderer);
   return external;
 }

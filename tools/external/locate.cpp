@@ -295,12 +295,6 @@ External named_in_errors(const CandidateSpec& spec, const RunOptions& options, c
 External find_external(const CandidateSpec& spec, const RunOptions& options) {
   External found = named_in_errors(spec, options, [&] { return find(spec, options); });
   found.source_file = source_file(spec, options);
-  found.declares = options.declares;
-  try {
-    declare_over(options.declares, found);
-  } catch (const std::invalid_argument& error) {
-    throw CandidateError("--declare '" + options.declares + "': " + error.what(), {}, spec.text());
-  }
   return found;
 }
 

@@ -14,7 +14,6 @@ struct RunOptions {
   Layers layers;
   Limits limits;
   MethodPair bounds = kDefaultMethods;
-  std::string declares = {};  ///< Statements about the candidate (declare_over()).
   // For renderers.
   DriverForm driver = {};
   scene::Precision precision = scene::Precision::kDouble;

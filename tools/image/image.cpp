@@ -238,7 +238,7 @@ std::function<properties::Candidate()> answering_candidate(const Implementation&
 ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control) {
   const auto start = std::chrono::steady_clock::now();
-  scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  scene::LoadedScene loaded = scene::load_scene(options.path, options.read_as);
   if (options.size && loaded.scene.camera) resize(*options.size, loaded.scene);
   const std::size_t changed = round_for(options, loaded.scene);
   ImageReport report = report_on(options, loaded, file);

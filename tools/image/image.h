@@ -26,7 +26,7 @@ constexpr std::string_view name(Picture picture) {
 
 struct ImageOptions {
   std::string path;
-  std::optional<scene::Dialect> dialect;
+  scene::ReadAs read_as;
   Picture what = Picture::kSphere;
   Implementation implementation = {};    ///< The candidate whose error is shown.
   MethodPair methods = kDefaultMethods;  ///< These make the rays if the candidate does not.

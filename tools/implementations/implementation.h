@@ -99,9 +99,8 @@ struct Implementation {
   /// Makes its functions callable in this process.
   /// Errors: std::invalid_argument with the reason why this is not possible.
   std::function<InProcess()> in_process = {};
-  /// For a renderer: makes the implementation with driver files in another dialect. Otherwise
-  /// empty.
-  std::function<Implementation(scene::Dialect)> reading = {};
+  /// For a renderer: makes the implementation with scene files of another form. Otherwise empty.
+  std::function<Implementation(const std::string& form)> reading = {};
 
   bool offers(properties::Stage stage) const;
   /// For a pair: the name of the method for that stage.

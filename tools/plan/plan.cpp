@@ -131,7 +131,7 @@ void count_filtered(const reference::DecidedBy& decided_by, ItemReport& item) {
 
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control) {
   const scene::Interruptible interruptible(control.interrupted);
-  scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  scene::LoadedScene loaded = scene::load_scene(options.path, options.read_as);
   PlanReport report;
   report.path = options.path;
   report.warnings = std::move(loaded.warnings);

@@ -16,7 +16,7 @@ struct PlanArguments {
 };
 
 int run_plan(PlanArguments& arguments) {
-  arguments.options.dialect = parse_dialect(arguments.dialect);
+  arguments.options.read_as = parse_dialect(arguments.dialect);
   const PlanReport report = make_plan(arguments.options, run_control(arguments.options.path));
   print_warnings(report.warnings);
   print_view(kPlanViews, arguments.format, report);

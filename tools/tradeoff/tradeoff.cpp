@@ -221,7 +221,7 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
 }
 
 void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
-  scene::LoadedScene loaded = scene::load_scene(options.scene, options.dialect);
+  scene::LoadedScene loaded = scene::load_scene(options.scene, options.read_as);
   report.warnings = std::move(loaded.warnings);
   report.subject = options.scene;
   const properties::SceneCases cases(std::move(loaded.scene),

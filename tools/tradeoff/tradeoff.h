@@ -21,7 +21,7 @@ namespace raycheck::tools {
 
 struct TradeoffOptions {
   std::string scene;  ///< If empty, cases of at least one source are used.
-  std::optional<scene::Dialect> dialect;
+  scene::ReadAs read_as;
   std::vector<properties::ChosenSource> sources;
   bool all_families = false;  ///< Use all sources instead of `sources`.
   std::vector<Implementation> implementations;

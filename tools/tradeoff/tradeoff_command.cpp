@@ -22,7 +22,7 @@ struct TradeoffArguments {
 
 int run_tradeoff(TradeoffArguments& arguments) {
   TradeoffOptions& options = arguments.options;
-  options.dialect = parse_dialect(arguments.dialect);
+  options.read_as = parse_dialect(arguments.dialect);
   for (const std::string& name : arguments.sources) {
     options.sources.push_back(parse_source("--source", name));
   }

@@ -88,7 +88,13 @@ std::vector<std::string> order_of(std::string_view part, scene::Dialect dialect)
 
 }  // namespace
 
+std::string DriverForm::file_name() const {
+  if (format == nullptr || format->endings.empty()) return kSceneFile;
+  return "scene" + format->endings.front();
+}
+
 std::string DriverForm::text() const {
+  if (format != nullptr) return format->name;
   std::string said = fmt::format("{}, spheres of {} numbers", scene::name(dialect), sphere_numbers);
   for (const std::string& line : extra_lines) said += ", " + line;
   said += light == DriverLight::kBehind ? ", a light" : ", no light";
@@ -133,6 +139,7 @@ std::optional<DriverForm> driver_preset(std::string_view name) {
 }
 
 std::string DriverForm::name() const {
+  if (format != nullptr) return format->name;
   std::string said;
   for (const DriverPreset& preset : driver_presets()) {
     const bool is_base = preset.form.dialect == dialect &&
@@ -179,20 +186,28 @@ DriverForm driver_form(std::string_view name) {
   return form;
 }
 
-DriverRule driver_rule(std::string_view name) {
+DriverRule driver_rule(std::string_view name, const std::filesystem::path& folder) {
   if (name == kAuto) return {};
+  const bool is_file = name.ends_with(".toml");
+  if (const auto* format = scene::format_named(is_file ? folder / name : name)) {
+    DriverForm form;
+    form.format = format;
+    return {form, false, true};
+  }
   if (name.find(':') != std::string_view::npos) return {driver_form(name), false, true};
   if (const auto form = driver_preset(name)) return {*form, false, true};
-  throw std::invalid_argument(
-      fmt::format("must be one of {}, {}, or a form such as B:17:no-light", preset_names(), kAuto));
+  throw std::invalid_argument(fmt::format(
+      "must be one of {}, {}, {}, or a form such as B:17:no-light", preset_names(), kAuto,
+      scene::joined(scene::formats(), ", ", [](auto& one) { return one.first; })));
 }
 
-DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from) {
+DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from,
+                       const std::filesystem::path& folder) {
   fields.require_known(from, {"preset", "others"});
   DriverRule rule;
   if (const auto field = fields.optional(from, "preset")) {
     try {
-      rule = driver_rule(fields.text(*field));
+      rule = driver_rule(fields.text(*field), folder);
     } catch (const std::invalid_argument& error) {
       fields.fail(*field, error.what());
     }
@@ -203,7 +218,7 @@ DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table
 
 std::vector<DriverForm> fuller_forms(const DriverForm& form) {
   std::vector<DriverForm> fuller;
-  if (!form.extra_lines.empty()) return fuller;
+  if (form.format != nullptr || !form.extra_lines.empty()) return fuller;
   for (const DriverPreset& preset : driver_presets()) {
     const DriverForm& year = preset.form;
     if (year.dialect != form.dialect || year.extra_lines.empty() ||
@@ -219,6 +234,7 @@ std::vector<DriverForm> fuller_forms(const DriverForm& form) {
 
 std::vector<DriverForm> known_forms(const DriverForm& first) {
   std::vector<DriverForm> forms = {first};
+  if (first.format != nullptr) return forms;
   const auto add = [&](DriverForm form) {
     form.numbers = first.numbers;
     if (form.dialect == first.dialect) form.order = first.order;
@@ -245,6 +261,13 @@ std::vector<DriverForm> known_forms(const DriverForm& first) {
 
 std::string driver_text(const scene::Scene& scene, const DriverForm& form,
                         const std::vector<Colour>& colours) {
+  if (form.format != nullptr) {
+    std::vector<std::array<double, 3>> parts;
+    for (const auto& [red, green, blue] : colours) {
+      parts.push_back({red / 255.0, green / 255.0, blue / 255.0});
+    }
+    return write_formatted(*form.format, scene, parts);
+  }
   const scene::Camera& c = *scene.camera;
   const auto number = [&](double x) { return number_text(x, form.numbers); };
   const auto words = [&](const auto& v) {

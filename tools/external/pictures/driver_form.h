@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scene/files/format.h"
 #include "scene/files/scene_file.h"
 #include "scene/files/toml_fields.h"
 #include "tools/report/picture_file.h"
@@ -30,7 +32,11 @@ inline constexpr std::array<std::string_view, 2> kDriverNumberNames = {"shortest
 /// The possible counts of numbers in a sphere's line, the likeliest first.
 inline constexpr std::array<int, 7> kSphereNumbers = {16, 17, 20, 13, 19, 18, 21};
 
-/// A variant of the driver file format.
+/// The name of a driver file in the folder of a run.
+inline constexpr const char* kSceneFile = "scene.txt";
+
+/// The form of the scene files that a renderer reads: a variant of the driver file format, or
+/// another format, which has no variants.
 struct DriverForm {
   scene::Dialect dialect = scene::Dialect::kB;
   /// The count of numbers in a sphere's line: 13 for centre, radius, ambient, diffuse and specular
@@ -41,8 +47,11 @@ struct DriverForm {
   DriverNumbers numbers = DriverNumbers::kShortest;
   /// The order of the keywords, with `extra` for the extra lines; empty: the usual order.
   std::vector<std::string> order = {};
+  const scene::FileFormat* format = nullptr;  ///< Of formats(); null: a driver file.
 
   friend bool operator==(const DriverForm&, const DriverForm&) = default;
+  /// The name of a file in the folder of a run.
+  std::string file_name() const;
   /// "B, spheres of 16 numbers, recursionlevel 0, a light"
   std::string text() const;
   /// The whole form as one command line argument: "2020", "B:17:recursionlevel 0:no-light".
@@ -76,14 +85,16 @@ struct DriverRule {
   bool is_asked_for = false;  ///< Whether the user chose `form`. If not, it is only tried first.
 };
 
-/// Parses a preset, `auto`, or a text for driver_form().
-/// Errors: std::invalid_argument, which lists the names or is that of driver_form().
-DriverRule driver_rule(std::string_view name);
+/// Parses a preset, a format's name or file (*.toml, relative to a folder), `auto`, or a text for
+/// driver_form(). Errors: std::invalid_argument, which lists the names or is that of driver_form();
+/// scene::SceneFileError about the format's file.
+DriverRule driver_rule(std::string_view name, const std::filesystem::path& folder = {});
 
 /// Reads the table [driver] of a rubric: `preset`, as for driver_rule(), and `others`, whether to
 /// try other forms.
 /// Errors: scene::SceneFileError naming file, line, field and value.
-DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from);
+DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from,
+                       const std::filesystem::path& folder);
 
 /// The default form of a dialect.
 DriverForm form_of(scene::Dialect dialect);

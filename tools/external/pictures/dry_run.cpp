@@ -38,7 +38,9 @@ struct Attempt {
 class DryRunner {
  public:
   DryRunner(Renderer renderer, const DriverRule& rule, const properties::RunControl& control)
-      : renderer_(std::move(renderer)), rule_(rule), control_(control) {}
+      : renderer_(std::move(renderer)), rule_(rule), control_(control) {
+    renderer_.driver = rule.form;
+  }
 
   DryRun run() {
     Attempt chosen = find_form();

@@ -123,26 +123,37 @@ MadePicture stored_picture(const std::string& text) {
   return made;
 }
 
-/// The program with the driver file in its folder and the file names in its arguments.
-Confined given(Confined program, const std::string& driver) {
-  program.files = {{kSceneFile, driver}};
+/// A scene file, and the size of its picture.
+struct SceneFile {
+  std::string name;
+  const std::string& text;
+  PictureSize size;
+};
+
+/// The program with the scene file in its folder; the names of the files and the size of the
+/// picture are in its arguments.
+Confined given(Confined program, const SceneFile& scene) {
+  program.files = {{scene.name, scene.text}};
   for (std::string& word : program.arguments) {
-    boost::replace_all(word, "{scene}", kSceneFile);
+    boost::replace_all(word, "{scene}", scene.name);
     boost::replace_all(word, "{image}", kImageFile);
+    boost::replace_all(word, "{width}", std::to_string(scene.size.width));
+    boost::replace_all(word, "{height}", std::to_string(scene.size.height));
   }
   return program;
 }
 
 /// Whether the wrapper exits with kCannotExpress for this driver file, too.
-bool cannot_say(const std::optional<Confined>& wrapper, const std::string& driver) try {
-  return wrapper && Process(given(*wrapper, driver)).finish() == kCannotExpress;
+bool cannot_say(const std::optional<Confined>& wrapper, const SceneFile& scene) try {
+  return wrapper && Process(given(*wrapper, scene)).finish() == kCannotExpress;
 } catch (const ProcessFailure& failure) {
   if (failure.kind() == FailureKind::kSystem) throw;
   return false;
 }
 
 MadePicture picture_by(const Renderer& renderer, const std::string& driver, PictureSize size) {
-  const Confined program = given(renderer.program, driver);
+  const SceneFile scene = {renderer.driver.file_name(), driver, size};
+  const Confined program = given(renderer.program, scene);
   Process process(program);
   std::optional<ProcessFailure> failure;
   int code = 0;
@@ -165,7 +176,7 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
       if (!failure) throw ProcessFailure(FailureKind::kBadReply, error.what(), said);
     }
   }
-  if (code == kCannotExpress && cannot_say(renderer.wrapper, driver)) {
+  if (code == kCannotExpress && cannot_say(renderer.wrapper, scene)) {
     throw ProcessFailure(FailureKind::kCannotExpress, "its input format cannot express the scene");
   }
   if (failure) {
@@ -259,6 +270,10 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
                                scene::Rows rows) {
   const PictureSize size = {scene.camera->width, scene.camera->height};
+  if (renderer.driver.format != nullptr) {
+    const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
+    if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
+  }
   return image_answer(rendered(renderer, driver_text(scene, renderer.driver), size).picture,
                       *scene.camera, rows, scene.spheres.size(), renderer.colours);
 }

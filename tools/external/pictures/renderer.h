@@ -20,16 +20,15 @@ inline constexpr int kMostTimeouts = 3;
 /// A picture may have at most this many pixels, whatever the size of the scene.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
-/// The names of the driver file and the picture in the folder of a run.
-inline constexpr const char* kSceneFile = "scene.txt";
+/// The name of the picture in the folder of a run.
 inline constexpr const char* kImageFile = "image.ppm";
 
 /// The exit code of a command whose input format cannot express the scene. It is Automake's code
 /// for skipped tests.
 inline constexpr int kCannotExpress = 77;
 
-/// A finished renderer. Its command line is run once per picture; {scene} stands for a driver file
-/// and {image} for the picture to make (PPM or PNG).
+/// A finished renderer. Its command line is run once per picture; {scene} stands for a scene
+/// file, {image} for the picture to make (PPM or PNG), {width} and {height} for its size.
 struct Renderer {
   Confined program;
   /// The command that confirms exit code kCannotExpress: if `program` exits with it and makes no

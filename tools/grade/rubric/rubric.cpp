@@ -45,7 +45,7 @@ class RubricReader {
     rubric.title = given_text(file, "title", path_.stem().string());
     read_seconds(file, rubric);
     if (const auto field = fields_.optional(file, "driver")) {
-      rubric.driver = read_driver(fields_, fields_.table(*field));
+      rubric.driver = read_driver(fields_, fields_.table(*field), path_.parent_path());
     }
     if (const auto field = fields_.optional(file, "limits")) {
       read_limits(fields_.table(*field), rubric);

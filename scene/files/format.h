@@ -1,0 +1,97 @@
+#pragma once
+
+// Forms of scene files, as data: a template in which the numbers of a scene have names. Files are
+// written by filling it, and read by matching its statements.
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/files/scene_file.h"
+#include "scene/scene.h"
+
+namespace raycheck::scene {
+
+/// A part of a statement: a literal word, or a slot.
+struct FormatPart {
+  std::string word;     ///< A literal word; empty: a slot.
+  std::string slot;     ///< "eye"; "_": any word; "*": any number of words.
+  std::string written;  ///< What is written in a slot that has no meaning: {_:1}.
+};
+
+/// A keyword, and what comes after it.
+struct FormatStatement {
+  std::vector<FormatPart> parts;
+  std::string text;           ///< As in the template, with its line end.
+  bool is_of_sphere = false;  ///< Whether it is repeated for each sphere.
+};
+
+/// A form of scene files (scene/formats/NAME.toml).
+struct FileFormat {
+  std::string name, title;
+  std::vector<std::string> endings;  ///< Of file names: ".nff".
+  std::string comments;              ///< What begins a comment, up to the end of the line.
+  std::string separators;            ///< Characters that separate words, besides blanks.
+  bool by_lines = true;              ///< Whether a statement ends with its line.
+  bool has_exponents = true;         ///< Whether numbers may be written with an exponent.
+  std::vector<FormatStatement> statements;
+  /// Keywords that are left out, and what they are called in reports.
+  std::map<std::string, std::string, std::less<>> ignored;
+  /// The numbers of slots that its files do not contain.
+  std::map<std::string, std::vector<double>, std::less<>> fixed;
+  /// What it implies; otherwise empty.
+  std::optional<Rows> rows = {};
+  std::optional<Samples> samples = {};
+  std::optional<Origin> origin = {};
+
+  bool has(std::string_view slot) const;
+  /// Whether its files have an angle of view in place of a window.
+  bool has_angle() const { return !has("left") && !fixed.contains("left"); }
+};
+
+/// Reads a format. Errors: SceneFileError naming file, line, field and value.
+FileFormat read_format(std::string_view text, std::string_view file);
+
+/// The formats that come with raycheck, by name.
+const std::map<std::string, FileFormat, std::less<>>& formats();
+
+/// A format that comes with raycheck, or, if the name ends in ".toml", that of this file, which is
+/// read once. Null if there is none. Errors: SceneFileError.
+const FileFormat* format_named(const std::filesystem::path& name);
+
+/// The format for files of this name; null if there is none.
+const FileFormat* format_of(std::string_view file);
+
+/// Reads a scene file of a format; `file` is its name in errors and warnings.
+/// Errors: SceneFileError naming file, line, field and value.
+LoadedScene read_formatted(const FileFormat& format, std::string_view text, std::string_view file);
+
+/// Why files of a format cannot express a scene; empty if they can.
+/// Domain: a valid scene with a camera.
+std::string why_not_expressed(const FileFormat& format, const Scene& scene);
+
+/// A file of the format; sphere k has the colour `colours[k]`, each part from 0 to 1, or white.
+/// Domain: why_not_expressed() is empty. Error: an angle is rounded, and so is A - E in a format
+/// with view directions.
+std::string write_formatted(const FileFormat& format, const Scene& scene,
+                            std::span<const std::array<double, 3>> colours = {});
+
+/// An angle of view: of which side, and how it is given.
+struct AngleSlot {
+  enum class Side { kVertical, kHorizontal, kLarger, kSmaller } side;
+  double half;  ///< The radians of half the angle, for a number of 1.
+  /// Whether half the angle is that of half the image's height, not of half its width.
+  bool is_vertical(const Camera& camera) const {
+    if (side == Side::kVertical || side == Side::kHorizontal) return side == Side::kVertical;
+    return (side == Side::kLarger) == (camera.height > camera.width);
+  }
+};
+/// "fovy", "fov_larger", "fovx_half", "fovy_radians"; empty for other slots.
+std::optional<AngleSlot> angle_slot(std::string_view slot);
+
+}  // namespace raycheck::scene

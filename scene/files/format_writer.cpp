@@ -1,0 +1,165 @@
+#include <charconv>
+#include <cmath>
+
+#include "scene/files/format.h"
+#include "scene/number.h"
+#include "scene/text.h"
+
+namespace raycheck::scene {
+namespace {
+
+using Numbers = std::vector<double>;
+using Colour = std::array<double, 3>;
+
+template <class Triple>
+Numbers numbers_of(const Triple& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// The numbers of a camera's slot; empty if the slot has none.
+Numbers of_camera(std::string_view slot, const Camera& camera) {
+  if (slot == "eye") return numbers_of(camera.eye);
+  if (slot == "look_at") return numbers_of(camera.look_at);
+  if (slot == "view") return numbers_of(camera.look_at - camera.eye);
+  if (slot == "up") return numbers_of(camera.up);
+  if (slot == "near") return {camera.near};
+  if (slot == "distance") return {-camera.near};
+  if (slot == "left") return {camera.left};
+  if (slot == "right") return {camera.right};
+  if (slot == "bottom") return {camera.bottom};
+  if (slot == "top") return {camera.top};
+  if (slot == "width" || slot == "size") return {static_cast<double>(camera.width)};
+  if (slot == "height") return {static_cast<double>(camera.height)};
+  if (const auto angle = angle_slot(slot)) {
+    const double half = angle->is_vertical(camera) ? camera.top : camera.right;
+    return {std::atan(half / std::abs(camera.near)) / angle->half};
+  }
+  return {};
+}
+
+Numbers of_sphere(std::string_view slot, const Sphere& sphere, const Colour& colour) {
+  if (slot == "centre") return numbers_of(sphere.centre);
+  if (slot == "radius") return {sphere.radius};
+  if (slot == "diameter") return {2 * sphere.radius};
+  if (slot == "scale") return {sphere.radius, sphere.radius, sphere.radius};
+  if (slot == "colour") return {colour[0], colour[1], colour[2]};
+  if (slot == "colour255") {
+    return {std::round(255 * colour[0]), std::round(255 * colour[1]), std::round(255 * colour[2])};
+  }
+  return {};
+}
+
+bool is_centred(const Camera& camera) {
+  return camera.left == -camera.right && camera.bottom == -camera.top && camera.right > 0 &&
+         camera.top > 0 && camera.near < 0;
+}
+
+/// Whether a pixel is a square, up to roundings.
+bool has_square_pixels(const Camera& camera) {
+  const double across = camera.right * static_cast<double>(camera.height);
+  const double down = camera.top * static_cast<double>(camera.width);
+  return std::abs(across - down) <= 0x1p-50 * std::abs(down);
+}
+
+class FormattedWriter {
+ public:
+  FormattedWriter(const FileFormat& format, const Scene& scene, std::span<const Colour> colours)
+      : format_(format), scene_(scene), colours_(colours) {}
+
+  std::string write() const {
+    std::string text;
+    const auto& all = format_.statements;
+    for (std::size_t k = 0; k < all.size();) {
+      const std::size_t first = k;
+      while (k < all.size() && all[k].is_of_sphere) ++k;
+      for (std::size_t sphere = 0; k > first && sphere < scene_.spheres.size(); ++sphere) {
+        for (std::size_t one = first; one < k; ++one) text += filled(all[one], sphere);
+      }
+      if (k == first) text += filled(all[k++], 0);
+    }
+    return text;
+  }
+
+ private:
+  std::string filled(const FormatStatement& statement, std::size_t sphere) const {
+    std::string text = statement.text;
+    std::size_t at = 0;
+    for (const auto& [word, slot, written] : statement.parts) {
+      if (!word.empty()) {
+        at = text.find(word, at) + word.size();
+        continue;
+      }
+      at = text.find("{" + slot, at);
+      const std::size_t end = text.find('}', at) + 1;
+      const std::string value = value_of(slot, written, sphere, text, at, end);
+      text.replace(at, end - at, value);
+      at += value.size();
+    }
+    return text;
+  }
+
+  std::string value_of(const std::string& slot, const std::string& written, std::size_t sphere,
+                       const std::string& text, std::size_t at, std::size_t end) const {
+    if (slot == "_" || slot == "*") return written;
+    if (slot == "image") return "image";
+    if (slot == "count") return std::to_string(scene_.spheres.size());
+    if (slot == "name") return "sphere" + std::to_string(sphere);
+    Numbers numbers = of_camera(slot, *scene_.camera);
+    if (numbers.empty()) {
+      const Colour colour = sphere < colours_.size() ? colours_[sphere] : Colour{1, 1, 1};
+      numbers = of_sphere(slot, scene_.spheres[sphere], colour);
+    }
+    // Numbers in brackets or commas have commas between them, too.
+    const bool has_commas = format_.separators.find(',') != std::string::npos && at > 0 &&
+                            end < text.size() && has_comma(text, at, end);
+    return joined(numbers, has_commas ? "," : " ", [&](double x) { return number(x); });
+  }
+  static bool has_comma(const std::string& text, std::size_t at, std::size_t end) {
+    constexpr std::string_view kBrackets = "[<(";
+    return kBrackets.find(text[at - 1]) != std::string_view::npos || text[at - 1] == ',' ||
+           text[end] == ',';
+  }
+
+  std::string number(double x) const {
+    if (format_.has_exponents) return shortest(x);
+    std::array<char, 1100> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::fixed);
+    return {text.data(), end.ptr};
+  }
+
+  const FileFormat& format_;
+  const Scene& scene_;
+  std::span<const Colour> colours_;
+};
+
+}  // namespace
+
+std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
+  const Camera& camera = *scene.camera;
+  const std::string its = "the format " + format.name;
+  if (format.has_angle() && !(is_centred(camera) && has_square_pixels(camera))) {
+    return its +
+           " has an angle of view: it can express only left = -right < 0, bottom = -top < 0, "
+           "near < 0 and square pixels";
+  }
+  if (format.has("distance") && camera.near > 0) return its + " can express only near < 0";
+  if (format.has("size") && camera.width != camera.height) {
+    return its + " can express only images with width = height";
+  }
+  for (const auto& [slot, numbers] : format.fixed) {
+    const Numbers wanted = of_camera(slot, camera);
+    if (slot == "near" && format.has_angle()) continue;  // only its ratio to the window matters
+    if (!wanted.empty() && wanted != numbers) {
+      return its + " has a fixed " + slot + ", " + joined(numbers, " ", shortest);
+    }
+  }
+  return "";
+}
+
+std::string write_formatted(const FileFormat& format, const Scene& scene,
+                            std::span<const Colour> colours) {
+  return FormattedWriter(format, scene, colours).write();
+}
+
+}  // namespace raycheck::scene

@@ -1,0 +1,199 @@
+#include "scene/files/format.h"
+
+#include <cmath>
+#include <random>
+
+#include "scene/fields.h"
+#include "tests/testing.h"
+
+namespace raycheck::scene {
+namespace {
+
+/// A line that would be an error, and the message.
+struct Wrong {
+  std::string text, says;
+};
+
+constexpr const char* kFree = R"(title = "A free form"
+separators = "{};,<>"
+comments = "//"
+lines = false
+template = '''
+Film { pixels {width} {height}; }
+
+Camera { at {eye}; to {view}; up {up}; half {fovx_half_radians}; {_:1} }
+
+Thing { kind ball; {*:red;} middle <{centre}>; across {diameter}; }
+'''
+ignored = { Lamp = "lamp" }
+)";
+
+constexpr const char* kBalls = R"(// a scene
+Film { pixels 8 4; }
+Lamp { 1 2 3 }
+Camera { at 0 0 4; to 0 0 -2; up 0 1 0; half 0.5; deep }
+Thing { kind plane; 1 2 3 }
+Thing { kind ball; shiny; blue 2; middle <1,2,3>; across 3; }
+Thing { kind ball; middle < 1 , 2 , -3 > across 1e1 }
+)";
+
+constexpr const char* kWindow = R"(title = "A window"
+template = '''
+NEAR {distance}
+LEFT {left}
+RIGHT {right}
+BOTTOM {bottom}
+TOP {top}
+RES {width} {height}
+SPHERE {name} {centre} {scale} {colour} {_:1}
+'''
+[fixed]
+eye = [0, 0, 0]
+view = [0, 0, -1]
+up = [0, 1, 0]
+[conventions]
+samples = "corners"
+)";
+
+LoadedScene read(const char* format, const std::string& text) {
+  return read_formatted(read_format(format, "the-format.toml"), text, "f.x");
+}
+std::string error_of(const char* format, const std::string& text) {
+  return thrown_by<SceneFileError>([&] { read(format, text); });
+}
+
+TEST(ReadFormatted, TakesStatementsOverLinesWithOtherWordsBetween) {
+  const LoadedScene loaded = read(kFree, kBalls);
+  const double right = std::tan(0.5);
+  const Camera camera{{0, 0, 4}, {0, 0, 2},  {0, 1, 0}, -1, {}, -right,
+                      right,     -right / 2, right / 2, 8,  4};
+  EXPECT_EQ(loaded.scene.camera, camera);
+  EXPECT_EQ(loaded.scene.spheres, (std::vector<Sphere>{{{1, 2, 3}, 1.5}, {{1, 2, -3}, 5}}));
+  EXPECT_EQ(loaded.not_needed, std::vector<std::string>{"lamp"});
+}
+
+const std::string kSides =
+    "NEAR 1\nLEFT -2\nRIGHT 3\nBOTTOM -1\nTOP 1\nRES 8 4\nSPHERE s 0 0 -5 2 2 2 1 0 0 9\n";
+
+TEST(ReadFormatted, TakesWindowsAndWhatAFormatFixes) {
+  const LoadedScene loaded = read(kWindow, kSides);
+  const Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, {}, -2, 3, -1, 1, 8, 4};
+  EXPECT_EQ(loaded.scene.camera, camera);
+  EXPECT_EQ(loaded.scene.conventions.samples, Samples::kCorners);
+  EXPECT_EQ(read(kWindow, kSides + "SPHERE e 0 0 -5 2 1 2 1 0 0 9\n").not_needed,
+            std::vector<std::string>{"ellipsoid"});
+}
+
+TEST(ReadFormatted, NamesLineAndKeywordOfWhatIsWrong) {
+  for (const auto& [text, says] :
+       {Wrong{replaced(kSides, "RIGHT", "RIHGT"),
+              "f.x:3: RIHGT: unknown keyword; RIGHT is missing, which the format the-format needs"},
+        {replaced(kSides, "TOP 1\n", ""),
+         "f.x:1: TOP: is missing, which the format the-format needs"},
+        {replaced(kSides, "TOP 1", "TOP x"), "f.x:5: TOP[0] = x: is not a number"},
+        {replaced(kSides, "-5 2 2", "-5"), "f.x:7: SPHERE: ends before all of its numbers"},
+        {replaced(kSides, "RES 8", "RES 8.5"), "f.x:6: width = 8.5: is not a whole number"},
+        {replaced(kSides, "LEFT -2", "LEFT 3"), "f.x:3: camera.right = 3: "},
+        {replaced(kSides, "2 2 2", "-2 -2 -2"), "f.x:7: sphere[0].radius = -2: "},
+        {kSides + "TOP 2\n", "f.x:8: TOP: is given twice, first on line 5"}}) {
+    EXPECT_TRUE(has(error_of(kWindow, text), says));
+  }
+  const std::string free = replaced(kBalls, "half 0.5;", "");
+  EXPECT_TRUE(has(error_of(kFree, free), "f.x:1: Camera: is missing"));
+  EXPECT_TRUE(has(read(kWindow, kSides + "WALL 1\nWALL 2\n").warnings.at(0),
+                  "f.x:8: WALL: unknown keyword, ignored (first on line 8)"));
+}
+
+TEST(ReadFormat, RefusesWhatIsNoTemplate) {
+  for (const auto& [text, says] :
+       {Wrong{replaced(kWindow, "{left}", "{lef}"), "the-format.toml:2: template = "},
+        {replaced(kWindow, "{left}", "{lef}"), "{lef} is not a slot"},
+        {replaced(kWindow, "{left}", "1"), "has neither a window, {left} to {top}, nor an angle"},
+        {replaced(kWindow, "{centre}", "1 2 3"), "has no {centre}: no spheres can be read"},
+        {replaced(kWindow, "eye =", "eyes ="), "fixed.eyes = [0, 0, 0]: is not the name of a slot"},
+        {replaced(kWindow, "title", "titel"),
+         "the-format.toml:1: titel = \"A window\": unknown key"}}) {
+    const std::string error =
+        thrown_by<SceneFileError>([&, &its = text] { read_format(its, "the-format.toml"); });
+    EXPECT_TRUE(has(error, says));
+  }
+}
+
+/// A random scene that a format expresses.
+Scene random_scene(std::mt19937_64& random, const FileFormat& format) {
+  const auto number = [&] { return std::uniform_real_distribution<double>(-9, 9)(random); };
+  const auto positive = [&] { return std::uniform_real_distribution<double>(0.1, 2)(random); };
+  Scene scene;
+  Camera& camera = scene.camera.emplace();
+  camera.eye = {number(), number(), number()};
+  camera.look_at = {number(), number(), number()};
+  camera.up = {number(), number(), number()};
+  camera.width = std::uniform_int_distribution<int>(2, 99)(random);
+  camera.height =
+      format.has("size") ? camera.width : std::uniform_int_distribution<int>(2, 99)(random);
+  camera.near = format.has_angle() ? -1 : -positive();
+  camera.right = positive();
+  camera.top = format.has_angle() ? camera.right / static_cast<double>(camera.width) *
+                                        static_cast<double>(camera.height)
+                                  : positive();
+  camera.left = format.has_angle() ? -camera.right : -positive();
+  camera.bottom = format.has_angle() ? -camera.top : -positive();
+  for (int k = 0; k < 3; ++k) {
+    scene.spheres.push_back({{number(), number(), number()}, positive()});
+  }
+  const auto fixed = [&](const char* slot, auto& triple) {
+    const auto found = format.fixed.find(slot);
+    if (found == format.fixed.end()) return;
+    triple = {found->second[0], found->second[1], found->second[2]};
+  };
+  fixed("eye", camera.eye);
+  fixed("up", camera.up);
+  fixed("look_at", camera.look_at);
+  Vector3 view = camera.look_at - camera.eye;
+  fixed("view", view);
+  camera.look_at = {camera.eye.x + view.x, camera.eye.y + view.y, camera.eye.z + view.z};
+  return scene;
+}
+
+void expect_near(const Scene& got, const Scene& expected) {
+  std::vector<double> a, b;
+  Scene copies[] = {got, expected};
+  for_each_number(copies[0], [&](double& x) { a.push_back(x); });
+  for_each_number(copies[1], [&](double& x) { b.push_back(x); });
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-12) << k;
+}
+
+class EachFormat : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachFormat, ReadsWhatItWrites) {
+  const FileFormat& format = formats().find(GetParam())->second;
+  std::mt19937_64 random(7);
+  for (int k = 0; k < 100; ++k) {
+    const Scene scene = random_scene(random, format);
+    ASSERT_EQ(why_not_expressed(format, scene), "");
+    const std::string text = write_formatted(format, scene);
+    const LoadedScene loaded = read_formatted(format, text, "written");
+    EXPECT_EQ(loaded.warnings, std::vector<std::string>{}) << text;
+    expect_near(loaded.scene, scene);
+    if (HasFailure()) FAIL() << text;
+  }
+}
+
+TEST_P(EachFormat, SaysWhatItCannotExpress) {
+  const FileFormat& format = formats().find(GetParam())->second;
+  std::mt19937_64 random(7);
+  Scene scene = random_scene(random, format);
+  scene.camera->right *= 2;
+  EXPECT_EQ(why_not_expressed(format, scene).empty(), !format.has_angle());
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, EachFormat, testing::ValuesIn([] {
+                           std::vector<std::string> names;
+                           for (const auto& [name, format] : formats()) names.push_back(name);
+                           return names;
+                         }()),
+                         [](const auto& the_test) { return the_test.param; });
+
+}  // namespace
+}  // namespace raycheck::scene

@@ -1,0 +1,81 @@
+// Renderers that read scene files of other formats than driver files.
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+const std::string kBalls =
+    "v\nfrom 2.1 1.3 1.7\nat 0 0 0\nup 0 0 1\nangle 45\nhither 1\nresolution 64 48\nl 4 3 2\n"
+    "f 1 .75 .33 .8 0 0 0 1\ns 0 0 0 .5\np 3\n12 12 -1\n-12 12 -1\n0 0 0\n"
+    "s 0.27 0.27 0.54 .166667\n";
+
+std::string renderer(const std::string& mistake = "") {
+  return "--candidate 'renderer:python3 " RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py " +
+         mistake + "{scene} {image}' ";
+}
+
+TEST(SceneFormats, of_scenes_are_known_by_the_ending_of_the_name) {
+  const std::string balls = temporary_file("balls.nff", kBalls);
+  const Outcome right = run("check " + balls + " " + renderer(), 0);
+  expect_parts(right.out, {"64 x 48 pixels, 2 spheres", "not needed here: light, polygon",
+                           "rows top-first, samples centres, origin focal", "no discrepancy"});
+  const Outcome half = run("check " + balls + " " + renderer("half-angle "), 1);
+  expect_parts(half.out, {"nearest sphere   3072  250 missed"});
+  expect_parts(run("image " + balls + " --out " + temporary_file("b.png", ""), 0).out,
+               {"2 of 2 spheres visible"});
+  expect_parts(run("plan " + balls, 0).out, {"64 x 48 pixels, 2 spheres"});
+  const std::string angel = temporary_file("angel.nff", replaced(kBalls, "angle", "angel"));
+  expect_parts(run("check " + angel, 2).err,
+               {"angel.nff:5: angel: unknown keyword; angle is missing"});
+}
+
+TEST(SceneFormats, are_chosen_for_files_and_renderers) {
+  const std::string named = temporary_file("balls.txt", kBalls);
+  expect_parts(run("check " + named + " --dialect nff", 0).out, {"64 x 48 pixels, 2 spheres"});
+  const Outcome drawn = run("properties --source course --cases 30 --dialect nff " + renderer(), 0);
+  expect_parts(drawn.out, {"image            renderer:", "holds on ordinary cases"});
+  const Outcome wide = run("check " RAYCHECK_SOURCE_DIR
+                           "/scene/examples/first-camera.toml "
+                           "--dialect nff " +
+                           renderer());
+  expect_parts(wide.out, {"the candidate accepts only symmetric windows with square pixels"});
+  expect_parts(run("check " + named + " --dialect nfx", 2).err,
+               {"--dialect nfx: must be one of A, B, C, 2017, 2018, 2019, 2020, auto, "});
+}
+
+/// A format that raycheck does not know, in a rubric.
+TEST(SceneFormats, of_a_course_are_files_beside_its_rubric) {
+  const Grading grading;
+  const std::string nff = contents(RAYCHECK_SOURCE_DIR "/scene/formats/nff.toml");
+  grading.write("ours.toml",
+                replaced(replaced(nff, "from {eye}", "seen_from {eye}"), ".nff", ".ours"));
+  const std::string rubric = grading.write("rubric.toml", R"([driver]
+preset = "ours.toml"
+[[form]]
+has = "rt.py"
+candidate = "renderer:python3 rt.py {scene} {image}"
+)" + item_of("pictures", "points = 10", R"([item.pictures]
+judge = "spheres"
+sources = ["course"]
+cases = 6
+)"));
+  const std::string text = replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
+                                    "camera[\"from\"]", "camera[\"seen_from\"]");
+  const std::string right = grading.hand_in("right", "rt.py", text);
+  const std::string half =
+      grading.hand_in("half", "rt.py", replaced(text, "mistake == \"half-angle\"", "True"));
+  grading.grade(rubric, {right, half}, "out", kLimitsOnly);
+  EXPECT_EQ(grading.result("right")["score"], 10);
+  EXPECT_EQ(grading.result("half")["score"], 0);
+  EXPECT_EQ(grading.result("half")["driver"]["dialect"], "ours.toml");
+  expect_parts(grading.file("half", "report.html"), {"seen_from"});
+  grading.write("ours.toml", replaced(nff, "{eye}", "{eyes}"));
+  const Outcome wrong = run("grade '" + rubric + "' '" + right + "' --out '" +
+                                temporary_folder("wrong") + "' " + kLimitsOnly,
+                            2);
+  expect_parts(wrong.err, {"ours.toml:5: template = ", "{eyes} is not a slot"});
+}
+
+}  // namespace
+}  // namespace raycheck::tests
