@@ -14,13 +14,15 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f\r\n";
 const std::set<std::string_view> kOfSpheres = {"centre", "radius",    "diameter", "scale",
-                                               "colour", "colour255", "name"};
-const std::set<std::string_view> kOfCameras = {
-    "eye",    "look_at", "view", "up",   "near",  "left",  "right",    "top",   "width",
-    "bottom", "_",       "*",    "size", "count", "image", "distance", "height"};
+                                               "colour", "colour255", "name",     "index"};
+const std::set<std::string_view> kWithoutMeaning = {"_", "*", "count", "image"};
+const std::set<std::string_view> kOfCameras = {"eye",  "look_at",  "view",  "up",    "near",
+                                               "left", "right",    "top",   "width", "bottom",
+                                               "size", "distance", "height"};
 
 bool is_known(std::string_view slot) {
-  return kOfSpheres.contains(slot) || kOfCameras.contains(slot) || angle_slot(slot);
+  return kOfSpheres.contains(slot) || kOfCameras.contains(slot) || kWithoutMeaning.contains(slot) ||
+         angle_slot(slot);
 }
 
 class FormatReader {
@@ -30,14 +32,16 @@ class FormatReader {
   FileFormat read(std::string_view text) {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
-    fields_.require_known(from, {"title", "source", "endings", "comments", "separators", "lines",
-                                 "exponents", "template", "ignored", "conventions", "fixed"});
+    fields_.require_known(from,
+                          {"title", "source", "endings", "comments", "separators", "joint", "lines",
+                           "exponents", "template", "ignored", "refused", "conventions", "fixed"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
     };
     text_of("comments", format_.comments);
     text_of("separators", format_.separators);
+    text_of("joint", format_.joint);
     if (const auto field = fields_.optional(from, "endings")) {
       format_.endings = fields_.texts(*field);
     }
@@ -45,11 +49,13 @@ class FormatReader {
     if (const auto field = fields_.optional(from, "exponents")) {
       format_.has_exponents = fields_.flag(*field);
     }
-    if (const auto field = fields_.optional(from, "ignored")) {
+    for (const auto& [key, words] :
+         {std::pair("ignored", &format_.ignored), std::pair("refused", &format_.refused)}) {
+      const auto field = fields_.optional(from, key);
+      if (!field) continue;
       const Table table = fields_.table(*field);
-      for (const auto& [key, node] : table.keys) {
-        const auto what = fields_.required(table, key.str());
-        format_.ignored.emplace(key.str(), fields_.text(what));
+      for (const auto& [word, node] : table.keys) {
+        words->emplace(word.str(), fields_.text(fields_.required(table, word.str())));
       }
     }
     if (const auto field = fields_.optional(from, "conventions")) {
@@ -128,7 +134,6 @@ class FormatReader {
         at = end;
       }
     }
-    if (result.parts.empty()) fields_.fail(field, "has a statement of separators only");
     result.text = std::move(text);
     return result;
   }
@@ -145,6 +150,36 @@ class FormatReader {
   TomlFields fields_;
   FileFormat format_;
 };
+
+/// Many formats have names that end in this; they are told by their keywords.
+constexpr std::string_view kSharedEnding = ".txt";
+/// The bytes in which all keywords of a camera are looked for.
+constexpr std::size_t kMostLooked = std::size_t{1} << 16;
+
+/// The first words of the lines of a text.
+std::set<std::string_view> first_words(std::string_view text) {
+  std::set<std::string_view> words;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
+    std::string_view line = text.substr(0, length);
+    text.remove_prefix(std::min(length + 1, text.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    words.insert(line.substr(0, line.find_first_of(kBlanks)));
+  }
+  return words;
+}
+
+/// Whether all keywords of the format's camera are there.
+bool fits(const FileFormat& format, const std::set<std::string_view>& keywords) {
+  const auto is_there = [&](const FormatStatement& statement) {
+    const bool is_of_camera = std::ranges::any_of(statement.parts, [](const FormatPart& part) {
+      return !part.slot.empty() && !kWithoutMeaning.contains(part.slot);
+    });
+    return statement.parts.empty() || statement.is_of_sphere || !is_of_camera ||
+           keywords.contains(statement.parts.front().word);
+  };
+  return format.by_lines && std::ranges::all_of(format.statements, is_there);
+}
 
 }  // namespace
 
@@ -214,11 +249,15 @@ const FileFormat* format_named(const std::filesystem::path& name) {
   return &known->second;
 }
 
-const FileFormat* format_of(std::string_view file) {
+const FileFormat* format_of(std::string_view file, std::string_view text) {
   for (const auto& [name, format] : formats()) {
     for (const std::string& ending : format.endings) {
-      if (file.ends_with(ending)) return &format;
+      if (ending != kSharedEnding && file.ends_with(ending)) return &format;
     }
+  }
+  const std::set<std::string_view> keywords = first_words(text.substr(0, kMostLooked));
+  for (const auto& [name, format] : formats()) {
+    if (fits(format, keywords)) return &format;
   }
   return nullptr;
 }

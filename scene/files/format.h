@@ -26,9 +26,9 @@ struct FormatPart {
 
 /// A keyword, and what comes after it.
 struct FormatStatement {
-  std::vector<FormatPart> parts;
-  std::string text;           ///< As in the template, with its line end.
-  bool is_of_sphere = false;  ///< Whether it is repeated for each sphere.
+  std::vector<FormatPart> parts;  ///< If the first is no literal word, it is only written.
+  std::string text;               ///< As in the template, with its line end.
+  bool is_of_sphere = false;      ///< Whether it is repeated for each sphere.
 };
 
 /// A form of scene files (scene/formats/NAME.toml).
@@ -37,12 +37,14 @@ struct FileFormat {
   std::vector<std::string> endings;  ///< Of file names: ".nff".
   std::string comments;              ///< What begins a comment, up to the end of the line.
   std::string separators;            ///< Characters that separate words, besides blanks.
+  std::string joint = " ";           ///< What is written between the numbers of a vector.
   bool by_lines = true;              ///< Whether a statement ends with its line.
   bool has_exponents = true;         ///< Whether numbers may be written with an exponent.
   std::vector<FormatStatement> statements;
-  /// Keywords that are left out, and what they are called in reports.
-  std::map<std::string, std::string, std::less<>> ignored;
-  /// The numbers of slots that its files do not contain.
+  /// Keywords that are left out, and what they are called in reports; keywords of what raycheck
+  /// cannot read, and what that is.
+  std::map<std::string, std::string, std::less<>> ignored, refused;
+  /// The numbers of slots that its files do not contain, or of files that leave them out.
   std::map<std::string, std::vector<double>, std::less<>> fixed;
   /// What it implies; otherwise empty.
   std::optional<Rows> rows = {};
@@ -64,8 +66,9 @@ const std::map<std::string, FileFormat, std::less<>>& formats();
 /// read once. Null if there is none. Errors: SceneFileError.
 const FileFormat* format_named(const std::filesystem::path& name);
 
-/// The format for files of this name; null if there is none.
-const FileFormat* format_of(std::string_view file);
+/// The format of a file, told by the ending of its name or, if several formats share it, by the
+/// keywords of its camera; null if there is none.
+const FileFormat* format_of(std::string_view file, std::string_view text);
 
 /// Reads a scene file of a format; `file` is its name in errors and warnings.
 /// Errors: SceneFileError naming file, line, field and value.

@@ -42,7 +42,7 @@ std::size_t count_of(std::string_view slot) {
        {"eye", "look_at", "view", "up", "centre", "scale", "colour", "colour255"}) {
     if (slot == one) return 3;
   }
-  for (const char* one : {"_", "*", "name", "count", "image"}) {
+  for (const char* one : {"_", "*", "name", "index", "count", "image"}) {
     if (slot == one) return 0;
   }
   return 1;
@@ -86,7 +86,10 @@ class FormattedReader {
  private:
   /// Reads the statement at a word, and returns where the next one begins.
   std::size_t statement(std::size_t at) {
+    const FormatStatement* meant = nullptr;
     for (const FormatStatement& one : format_.statements) {
+      if (one.parts.empty() || one.parts.front().word != words_[at].text) continue;
+      if (has_first_words(one, at)) meant = &one;
       GivenSlots given;
       if (const auto end = matched(one, at, given)) {
         take(one, at, given);
@@ -96,7 +99,15 @@ class FormattedReader {
         return next;
       }
     }
-    const std::string_view keyword = words_[at].text;
+    const auto& [keyword, line] = words_[at];
+    if (meant != nullptr) {
+      located_.fail(line, keyword,
+                    "is not followed by what the format " + format_.name +
+                        " has: " + joined(meant->parts, " ", shown_part));
+    }
+    if (const auto refused = format_.refused.find(keyword); refused != format_.refused.end()) {
+      located_.fail(line, keyword, "cannot be read: " + refused->second);
+    }
     const auto ignored = format_.ignored.find(keyword);
     if (ignored != format_.ignored.end()) {
       ++left_out_[ignored->second];
@@ -105,6 +116,18 @@ class FormattedReader {
       warn(at, "unknown keyword, ignored");
     }
     return format_.by_lines ? next_line(at) : at + 1;
+  }
+
+  /// Whether the literal words up to the first slot are there, if there is a slot.
+  bool has_first_words(const FormatStatement& statement, std::size_t at) const {
+    for (const FormatPart& part : statement.parts) {
+      if (part.word.empty()) return true;
+      if (at == words_.size() || words_[at++].text != part.word) return false;
+    }
+    return false;
+  }
+  static std::string shown_part(const FormatPart& part) {
+    return part.word.empty() ? "{" + part.slot + "}" : part.word;
   }
 
   std::size_t next_line(std::size_t at) const {

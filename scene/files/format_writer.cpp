@@ -91,33 +91,26 @@ class FormattedWriter {
       }
       at = text.find("{" + slot, at);
       const std::size_t end = text.find('}', at) + 1;
-      const std::string value = value_of(slot, written, sphere, text, at, end);
+      const std::string value = value_of(slot, written, sphere);
       text.replace(at, end - at, value);
       at += value.size();
     }
     return text;
   }
 
-  std::string value_of(const std::string& slot, const std::string& written, std::size_t sphere,
-                       const std::string& text, std::size_t at, std::size_t end) const {
+  std::string value_of(const std::string& slot, const std::string& written,
+                       std::size_t sphere) const {
     if (slot == "_" || slot == "*") return written;
     if (slot == "image") return "image";
     if (slot == "count") return std::to_string(scene_.spheres.size());
+    if (slot == "index") return std::to_string(sphere);
     if (slot == "name") return "sphere" + std::to_string(sphere);
     Numbers numbers = of_camera(slot, *scene_.camera);
     if (numbers.empty()) {
       const Colour colour = sphere < colours_.size() ? colours_[sphere] : Colour{1, 1, 1};
       numbers = of_sphere(slot, scene_.spheres[sphere], colour);
     }
-    // Numbers in brackets or commas have commas between them, too.
-    const bool has_commas = format_.separators.find(',') != std::string::npos && at > 0 &&
-                            end < text.size() && has_comma(text, at, end);
-    return joined(numbers, has_commas ? "," : " ", [&](double x) { return number(x); });
-  }
-  static bool has_comma(const std::string& text, std::size_t at, std::size_t end) {
-    constexpr std::string_view kBrackets = "[<(";
-    return kBrackets.find(text[at - 1]) != std::string_view::npos || text[at - 1] == ',' ||
-           text[end] == ',';
+    return joined(numbers, format_.joint, [&](double x) { return number(x); });
   }
 
   std::string number(double x) const {
@@ -148,8 +141,11 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
     return its + " can express only images with width = height";
   }
   for (const auto& [slot, numbers] : format.fixed) {
+    if (format.has(slot)) continue;  // what files have that do not say it
     const Numbers wanted = of_camera(slot, camera);
     if (slot == "near" && format.has_angle()) continue;  // only its ratio to the window matters
+    const bool is_angle = angle_slot(slot).has_value();
+    if (is_angle && std::abs(wanted[0] - numbers[0]) <= 1e-12 * std::abs(numbers[0])) continue;
     if (!wanted.empty() && wanted != numbers) {
       return its + " has a fixed " + slot + ", " + joined(numbers, " ", shortest);
     }

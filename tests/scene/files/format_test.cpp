@@ -4,6 +4,7 @@
 #include <random>
 
 #include "scene/fields.h"
+#include "tests/names.h"
 #include "tests/testing.h"
 
 namespace raycheck::scene {
@@ -99,7 +100,7 @@ TEST(ReadFormatted, NamesLineAndKeywordOfWhatIsWrong) {
     EXPECT_TRUE(has(error_of(kWindow, text), says));
   }
   const std::string free = replaced(kBalls, "half 0.5;", "");
-  EXPECT_TRUE(has(error_of(kFree, free), "f.x:1: Camera: is missing"));
+  EXPECT_TRUE(has(error_of(kFree, free), "f.x:4: Camera: is not followed by what the format"));
   EXPECT_TRUE(has(read(kWindow, kSides + "WALL 1\nWALL 2\n").warnings.at(0),
                   "f.x:8: WALL: unknown keyword, ignored (first on line 8)"));
 }
@@ -131,11 +132,20 @@ Scene random_scene(std::mt19937_64& random, const FileFormat& format) {
   camera.width = std::uniform_int_distribution<int>(2, 99)(random);
   camera.height =
       format.has("size") ? camera.width : std::uniform_int_distribution<int>(2, 99)(random);
+  const auto fixed_count = [&](const char* slot, std::int64_t& count) {
+    const auto found = format.fixed.find(slot);
+    if (found != format.fixed.end() && !format.has(slot))
+      count = static_cast<std::int64_t>(found->second[0]);
+  };
+  fixed_count("width", camera.width);
+  fixed_count("height", camera.height);
+  const double ratio = static_cast<double>(camera.height) / static_cast<double>(camera.width);
+  const auto angle = format.fixed.find("fovy");
   camera.near = format.has_angle() ? -1 : -positive();
-  camera.right = positive();
-  camera.top = format.has_angle() ? camera.right / static_cast<double>(camera.width) *
-                                        static_cast<double>(camera.height)
-                                  : positive();
+  camera.right = angle != format.fixed.end()
+                     ? std::tan(angle->second[0] * angle_slot("fovy")->half) / ratio
+                     : positive();
+  camera.top = format.has_angle() ? camera.right * ratio : positive();
   camera.left = format.has_angle() ? -camera.right : -positive();
   camera.bottom = format.has_angle() ? -camera.top : -positive();
   for (int k = 0; k < 3; ++k) {
@@ -193,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, EachFormat, testing::ValuesIn([] {
                            for (const auto& [name, format] : formats()) names.push_back(name);
                            return names;
                          }()),
-                         [](const auto& the_test) { return the_test.param; });
+                         [](const auto& the_test) { return identifier(the_test.param); });
 
 }  // namespace
 }  // namespace raycheck::scene
