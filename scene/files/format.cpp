@@ -32,9 +32,9 @@ class FormatReader {
   FileFormat read(std::string_view text) {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
-    fields_.require_known(from,
-                          {"title", "source", "endings", "comments", "separators", "joint", "lines",
-                           "exponents", "template", "ignored", "refused", "conventions", "fixed"});
+    fields_.require_known(
+        from, {"title", "source", "endings", "comments", "separators", "joint", "lines",
+               "exponents", "template", "ignored", "refused", "conventions", "fixed", "default"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
@@ -65,7 +65,11 @@ class FormatReader {
       fields_.choose(table, "samples", kSamplesNames, format_.samples);
       fields_.choose(table, "origin", kOriginNames, format_.origin);
     }
-    if (const auto field = fields_.optional(from, "fixed")) read_fixed(fields_.table(*field));
+    for (const auto& [key, numbers] :
+         {std::pair("fixed", &format_.fixed), std::pair("default", &format_.defaults)}) {
+      if (const auto field = fields_.optional(from, key))
+        read_fixed(fields_.table(*field), *numbers);
+    }
     read_template(fields_.required(from, "template"));
     return std::move(format_);
   }
@@ -74,11 +78,12 @@ class FormatReader {
   using Table = TomlFields::Table;
   using Field = TomlFields::Field;
 
-  void read_fixed(const Table& from) {
+  void read_fixed(const Table& from,
+                  std::map<std::string, std::vector<double>, std::less<>>& fixed) const {
     for (const auto& [key, node] : from.keys) {
       const Field field = fields_.required(from, key.str());
       if (!is_known(key.str())) fields_.fail(field, "is not the name of a slot");
-      std::vector<double>& numbers = format_.fixed[std::string(key.str())];
+      std::vector<double>& numbers = fixed[std::string(key.str())];
       if (node.is_array()) {
         for (const Field& one : fields_.list(field)) numbers.push_back(fields_.number(one));
       } else {

@@ -44,8 +44,9 @@ struct FileFormat {
   /// Keywords that are left out, and what they are called in reports; keywords of what raycheck
   /// cannot read, and what that is.
   std::map<std::string, std::string, std::less<>> ignored, refused;
-  /// The numbers of slots that its files do not contain, or of files that leave them out.
-  std::map<std::string, std::vector<double>, std::less<>> fixed;
+  /// The numbers of slots that its files do not contain, as all programs have them; and those of
+  /// files that leave them out to their program.
+  std::map<std::string, std::vector<double>, std::less<>> fixed, defaults;
   /// What it implies; otherwise empty.
   std::optional<Rows> rows = {};
   std::optional<Samples> samples = {};

@@ -59,7 +59,9 @@ class FormattedReader {
  public:
   FormattedReader(const FileFormat& format, std::string_view text, std::string_view file)
       : format_(format), located_(file), words_(words_of(format, text)) {
-    for (const auto& [slot, numbers] : format.fixed) camera_[slot] = {numbers, 1};
+    for (const auto* fixed : {&format.defaults, &format.fixed}) {
+      for (const auto& [slot, numbers] : *fixed) camera_[slot] = {numbers, 1};
+    }
   }
 
   LoadedScene read() {
@@ -181,7 +183,7 @@ class FormattedReader {
       if (statement.is_of_sphere) continue;  // a colour
       const auto [known, is_new] = camera_.try_emplace(slot, its);
       if (is_new) continue;
-      if (!format_.fixed.contains(slot)) {
+      if (!format_.defaults.contains(slot)) {
         located_.fail(words_[at].line, words_[at].text,
                       "is given twice, first on line " + std::to_string(known->second.line));
       }

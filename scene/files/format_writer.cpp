@@ -141,7 +141,6 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
     return its + " can express only images with width = height";
   }
   for (const auto& [slot, numbers] : format.fixed) {
-    if (format.has(slot)) continue;  // what files have that do not say it
     const Numbers wanted = of_camera(slot, camera);
     if (slot == "near" && format.has_angle()) continue;  // only its ratio to the window matters
     const bool is_angle = angle_slot(slot).has_value();

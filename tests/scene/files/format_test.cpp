@@ -133,9 +133,12 @@ Scene random_scene(std::mt19937_64& random, const FileFormat& format) {
   camera.height =
       format.has("size") ? camera.width : std::uniform_int_distribution<int>(2, 99)(random);
   const auto fixed_count = [&](const char* slot, std::int64_t& count) {
-    const auto found = format.fixed.find(slot);
-    if (found != format.fixed.end() && !format.has(slot))
-      count = static_cast<std::int64_t>(found->second[0]);
+    for (const auto* fixed : {&format.fixed, &format.defaults}) {
+      const auto found = fixed->find(slot);
+      if (found != fixed->end() && !format.has(slot)) {
+        count = static_cast<std::int64_t>(found->second[0]);
+      }
+    }
   };
   fixed_count("width", camera.width);
   fixed_count("height", camera.height);
