@@ -254,6 +254,14 @@ const FileFormat* format_named(const std::filesystem::path& name) {
   return &known->second;
 }
 
+std::vector<const FileFormat*> variants_of(const FileFormat& format) {
+  std::vector<const FileFormat*> variants;
+  for (const auto& [name, one] : formats()) {
+    if (name.starts_with(format.name + "-")) variants.push_back(&one);
+  }
+  return variants;
+}
+
 const FileFormat* format_of(std::string_view file, std::string_view text) {
   for (const auto& [name, format] : formats()) {
     for (const std::string& ending : format.endings) {

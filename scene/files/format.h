@@ -67,6 +67,9 @@ const std::map<std::string, FileFormat, std::less<>>& formats();
 /// read once. Null if there is none. Errors: SceneFileError.
 const FileFormat* format_named(const std::filesystem::path& name);
 
+/// The formats of other years of a course: those with names that begin with "NAME-".
+std::vector<const FileFormat*> variants_of(const FileFormat& format);
+
 /// The format of a file, told by the ending of its name or, if several formats share it, by the
 /// keywords of its camera; null if there is none.
 const FileFormat* format_of(std::string_view file, std::string_view text);

@@ -192,7 +192,7 @@ DriverRule driver_rule(std::string_view name, const std::filesystem::path& folde
   if (const auto* format = scene::format_named(is_file ? folder / name : name)) {
     DriverForm form;
     form.format = format;
-    return {form, false, true};
+    return {form, !scene::variants_of(*format).empty(), true};
   }
   if (name.find(':') != std::string_view::npos) return {driver_form(name), false, true};
   if (const auto form = driver_preset(name)) return {*form, false, true};
@@ -234,7 +234,13 @@ std::vector<DriverForm> fuller_forms(const DriverForm& form) {
 
 std::vector<DriverForm> known_forms(const DriverForm& first) {
   std::vector<DriverForm> forms = {first};
-  if (first.format != nullptr) return forms;
+  if (first.format != nullptr) {
+    for (const scene::FileFormat* variant : scene::variants_of(*first.format)) {
+      forms.push_back(first);
+      forms.back().format = variant;
+    }
+    return forms;
+  }
   const auto add = [&](DriverForm form) {
     form.numbers = first.numbers;
     if (form.dialect == first.dialect) form.order = first.order;
