@@ -27,14 +27,15 @@ bool is_known(std::string_view slot) {
 
 class FormatReader {
  public:
-  explicit FormatReader(std::string_view file) : file_(file), fields_(file) {}
+  FormatReader(std::string_view file, std::string_view variant)
+      : file_(file), variant_(variant), fields_(file) {}
 
   FileFormat read(std::string_view text) {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
-    fields_.require_known(
-        from, {"title", "source", "endings", "comments", "separators", "joint", "lines",
-               "exponents", "template", "ignored", "refused", "conventions", "fixed", "default"});
+    fields_.require_known(from, {"title", "source", "endings", "comments", "separators", "joint",
+                                 "lines", "exponents", "template", "ignored", "refused",
+                                 "conventions", "fixed", "default", "variant"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
@@ -70,7 +71,17 @@ class FormatReader {
       if (const auto field = fields_.optional(from, key))
         read_fixed(fields_.table(*field), *numbers);
     }
-    read_template(fields_.required(from, "template"));
+    const Field field = fields_.required(from, "template");
+    std::string text_of_files = fields_.text(field);
+    if (const auto variants = fields_.optional(from, "variant")) {
+      const Table table = fields_.table(*variants);
+      for (const auto& [name, node] : table.keys) {
+        format_.variants.emplace_back(name.str());
+        if (name.str() == variant_)
+          replace(fields_.table(fields_.required(table, name)), text_of_files);
+      }
+    }
+    read_template(field, text_of_files);
     return std::move(format_);
   }
 
@@ -92,9 +103,18 @@ class FormatReader {
     }
   }
 
+  /// Replaces the keys of a table by their values.
+  void replace(const Table& by, std::string& text) const {
+    for (const auto& [from, node] : by.keys) {
+      const Field to = fields_.required(by, from);
+      const std::size_t at = text.find(from.str());
+      if (at == std::string::npos) fields_.fail(to, "replaces what the template does not have");
+      text.replace(at, from.str().size(), fields_.text(to));
+    }
+  }
+
   /// A statement is a line, or, in free form, the text up to an empty line.
-  void read_template(const Field& field) {
-    const std::string text = fields_.text(field);
+  void read_template(const Field& field, const std::string& text) {
     const std::string between = format_.by_lines ? "\n" : "\n\n";
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = std::min(text.find(between, at), text.size() - 1) + 1;
@@ -151,7 +171,7 @@ class FormatReader {
     return !name.empty() && name.find('\n') == std::string_view::npos && name.front() != ' ';
   }
 
-  std::string_view file_;
+  std::string_view file_, variant_;
   TomlFields fields_;
   FileFormat format_;
 };
@@ -216,17 +236,22 @@ bool FileFormat::has(std::string_view slot) const {
   });
 }
 
-FileFormat read_format(std::string_view text, std::string_view file) {
-  FileFormat format = FormatReader(file).read(text);
+FileFormat read_format(std::string_view text, std::string_view file, std::string_view variant) {
+  FileFormat format = FormatReader(file, variant).read(text);
   format.name = std::filesystem::path(file).stem().string();
+  if (!variant.empty()) format.name += "-" + std::string(variant);
   return format;
 }
 
 const std::map<std::string, FileFormat, std::less<>>& formats() {
   static const auto kAll = [] {
     std::map<std::string, FileFormat, std::less<>> all;
-    for (const auto& [name, text] : kFormatTexts) {
-      all.emplace(name, read_format(text, std::string(name) + ".toml"));
+    const auto add = [&](const FormatText& one, std::string_view variant) {
+      FileFormat format = read_format(one.text, std::string(one.name) + ".toml", variant);
+      return all.emplace(format.name, std::move(format)).first->second.variants;
+    };
+    for (const FormatText& one : kFormatTexts) {
+      for (const std::string& variant : add(one, "")) add(one, variant);
     }
     return all;
   }();
@@ -255,22 +280,23 @@ const FileFormat* format_named(const std::filesystem::path& name) {
 }
 
 std::vector<const FileFormat*> variants_of(const FileFormat& format) {
-  std::vector<const FileFormat*> variants;
-  for (const auto& [name, one] : formats()) {
-    if (name.starts_with(format.name + "-")) variants.push_back(&one);
+  std::vector<const FileFormat*> all;
+  for (const std::string& variant : format.variants) {
+    const auto known = formats().find(format.name + "-" + variant);
+    if (known != formats().end()) all.push_back(&known->second);
   }
-  return variants;
+  return all;
 }
 
 const FileFormat* format_of(std::string_view file, std::string_view text) {
+  const std::set<std::string_view> keywords = first_words(text.substr(0, kMostLooked));
+  for (const auto& [name, format] : formats()) {
+    if (fits(format, keywords)) return &format;
+  }
   for (const auto& [name, format] : formats()) {
     for (const std::string& ending : format.endings) {
       if (ending != kSharedEnding && file.ends_with(ending)) return &format;
     }
-  }
-  const std::set<std::string_view> keywords = first_words(text.substr(0, kMostLooked));
-  for (const auto& [name, format] : formats()) {
-    if (fits(format, keywords)) return &format;
   }
   return nullptr;
 }

@@ -33,13 +33,15 @@ struct FormatStatement {
 
 /// A form of scene files (scene/formats/NAME.toml).
 struct FileFormat {
-  std::string name, title;
-  std::vector<std::string> endings;  ///< Of file names: ".nff".
-  std::string comments;              ///< What begins a comment, up to the end of the line.
-  std::string separators;            ///< Characters that separate words, besides blanks.
-  std::string joint = " ";           ///< What is written between the numbers of a vector.
-  bool by_lines = true;              ///< Whether a statement ends with its line.
-  bool has_exponents = true;         ///< Whether numbers may be written with an exponent.
+  std::string name;  ///< "cse5607"; of a variant "cse5607-hfov".
+  std::string title;
+  std::vector<std::string> variants;  ///< Their names: "hfov".
+  std::vector<std::string> endings;   ///< Of file names: ".nff".
+  std::string comments;               ///< What begins a comment, up to the end of the line.
+  std::string separators;             ///< Characters that separate words, besides blanks.
+  std::string joint = " ";            ///< What is written between the numbers of a vector.
+  bool by_lines = true;               ///< Whether a statement ends with its line.
+  bool has_exponents = true;          ///< Whether numbers may be written with an exponent.
   std::vector<FormatStatement> statements;
   /// Keywords that are left out, and what they are called in reports; keywords of what raycheck
   /// cannot read, and what that is.
@@ -57,8 +59,9 @@ struct FileFormat {
   bool has_angle() const { return !has("left") && !fixed.contains("left"); }
 };
 
-/// Reads a format. Errors: SceneFileError naming file, line, field and value.
-FileFormat read_format(std::string_view text, std::string_view file);
+/// Reads a format, and, if a variant is named, makes that variant's replacements in its template.
+/// Errors: SceneFileError naming file, line, field and value.
+FileFormat read_format(std::string_view text, std::string_view file, std::string_view variant = {});
 
 /// The formats that come with raycheck, by name.
 const std::map<std::string, FileFormat, std::less<>>& formats();
@@ -67,11 +70,11 @@ const std::map<std::string, FileFormat, std::less<>>& formats();
 /// read once. Null if there is none. Errors: SceneFileError.
 const FileFormat* format_named(const std::filesystem::path& name);
 
-/// The formats of other years of a course: those with names that begin with "NAME-".
+/// The variants of a format: of other years of a course, say.
 std::vector<const FileFormat*> variants_of(const FileFormat& format);
 
-/// The format of a file, told by the ending of its name or, if several formats share it, by the
-/// keywords of its camera; null if there is none.
+/// The format of a file, told by the keywords of its camera or by the ending of its name; null if
+/// there is none.
 const FileFormat* format_of(std::string_view file, std::string_view text);
 
 /// Reads a scene file of a format; `file` is its name in errors and warnings.

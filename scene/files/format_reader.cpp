@@ -69,6 +69,10 @@ class FormattedReader {
       poll();
       at = statement(at);
     }
+    if (!is_of_format_) {
+      located_.fail(1, "first word", words_.empty() ? "" : words_[0].text,
+                    "nothing in the file is a statement of the format " + format_.name);
+    }
     LoadedScene loaded;
     loaded.format = format_.name;
     Conventions& conventions = loaded.scene.conventions;
@@ -94,6 +98,7 @@ class FormattedReader {
       if (has_first_words(one, at)) meant = &one;
       GivenSlots given;
       if (const auto end = matched(one, at, given)) {
+        is_of_format_ = true;
         take(one, at, given);
         if (!format_.by_lines) return *end;
         const std::size_t next = next_line(at);
@@ -328,6 +333,7 @@ class FormattedReader {
   std::map<std::string, int> left_out_;
   std::vector<std::string> warnings_;
   std::set<std::string_view> warned_;
+  bool is_of_format_ = false;      ///< Whether it has a statement of the format.
   const Word* unknown_ = nullptr;  ///< The first unknown keyword.
 };
 

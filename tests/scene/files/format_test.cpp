@@ -101,6 +101,7 @@ TEST(ReadFormatted, NamesLineAndKeywordOfWhatIsWrong) {
   }
   const std::string free = replaced(kBalls, "half 0.5;", "");
   EXPECT_TRUE(has(error_of(kFree, free), "f.x:4: Camera: is not followed by what the format"));
+  EXPECT_TRUE(has(error_of(kFree, "a picture, not a scene"), "f.x:1: first word = a: nothing in"));
   EXPECT_TRUE(has(read(kWindow, kSides + "WALL 1\nWALL 2\n").warnings.at(0),
                   "f.x:8: WALL: unknown keyword, ignored (first on line 8)"));
 }
