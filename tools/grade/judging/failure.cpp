@@ -57,12 +57,8 @@ bool is_alike(const scene::Scene& now, const scene::Scene& before) {
 bool is_made_by(const properties::Fault& fault, const Case& the_case, const Candidate& candidate) {
   scene::Scene scene = the_case.scene;
   scene.conventions = candidate.declared.over(scene.conventions);
-  try {
-    return properties::count_otherwise(candidate.image(scene, scene.conventions),
-                                       properties::predicted(fault, scene)) <= 1;
-  } catch (const properties::NoAnswer&) {
-    return false;
-  }
+  const auto image = answered([&] { return candidate.image(scene, scene.conventions); });
+  return image && properties::count_otherwise(*image, properties::predicted(fault, scene)) <= 1;
 }
 
 /// The case reduced to the ray or pixel, and the sphere, of one place.
@@ -80,16 +76,6 @@ std::optional<std::string> first_wrong_step(Trial& trial) {
     if (!apply(law, trial).holds()) return step_that_gives(law.quantity);
   }
   return {};
-}
-
-/// The candidate's answer; empty if it gives none.
-template <class Ask>
-auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
-  try {
-    return ask();
-  } catch (const properties::NoAnswer&) {
-    return {};
-  }
 }
 
 /// The candidate's answers about one ray of a trial, up to the stage of the broken law.
@@ -135,26 +121,15 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
 std::optional<ComparedPictures> compared_pictures(const Case& the_case,
                                                   const GradedCandidate& graded) {
   const scene::Conventions& conventions = the_case.scene.conventions;
-  ComparedPictures pictures;
-  try {
-    pictures.got = graded.candidate.image(the_case.scene, conventions);
-  } catch (const properties::NoAnswer&) {
-    return {};
-  }
-  pictures.exact = properties::exact_image(the_case.scene, conventions);
+  auto got = answered([&] { return graded.candidate.image(the_case.scene, conventions); });
+  if (!got) return {};
+  ComparedPictures pictures{*std::move(got), properties::exact_image(the_case.scene, conventions)};
   if (pictures.got.size() != pictures.exact->size()) return {};
   if (graded.masks_only) pictures.exact = mask_of(*std::move(pictures.exact));
   return pictures;
 }
 
 }  // namespace
-
-WrongAnswer wrong_answer(const Discrepancy& d) {
-  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong,    d.symbol, d.got,
-                     d.exact,    {},      d.condition,        d.precision};
-  if (d.wrong == Wrong::kNot) answer.error = d.error;
-  return answer;
-}
 
 bool keeps_state(const FailedCase& failed, const GradedCandidate& graded) {
   if (failed.failure || !graded.candidate.restart) return false;
@@ -212,7 +187,7 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
     if (d.wrong != Wrong::kFailed) d = verdict.worst(1).front();
   }
   FailingCase failing{
-      std::string(first.broken->name), first.item_case.origin, {}, wrong_answer(d), the_case};
+      .origin = first.item_case.origin, .step = {}, .answer = d, .the_case = the_case};
   failing.the_case.scene.conventions = trial.conventions();
   if (graded.pictures) {
     failing.the_case.pixels.clear();

@@ -18,25 +18,6 @@ namespace raycheck::tools {
 using properties::Mistake;
 using properties::Quantity;
 
-namespace {
-
-/// A cause that is charged to one item.
-using Charge = std::variant<const Mistake*, OtherCause>;
-
-std::vector<Charge> charges(const ItemCause& cause) {
-  std::vector<Charge> all(cause.fault.begin(), cause.fault.end());
-  all.insert(all.end(), cause.others.begin(), cause.others.end());
-  return all;
-}
-
-/// Whether a mistake is made at the step about which an item asks.
-bool is_of_step(const Charge& charge, const Item& item) {
-  const auto* const mistake = std::get_if<const Mistake*>(&charge);
-  return mistake != nullptr && step_of(item) == (*mistake)->step;
-}
-
-}  // namespace
-
 std::optional<properties::Step> step_of(const Item& item) {
   if (!item.functions) return {};
   switch (item.functions->laws.front()->quantity) {
@@ -55,6 +36,29 @@ std::optional<properties::Step> step_of(const Item& item) {
   }
 }
 
+namespace {
+
+using properties::Candidate;
+using properties::Fault;
+
+/// A cause that is charged to one item.
+using Charge = std::variant<const Mistake*, OtherCause>;
+
+std::vector<Charge> charges(const ItemCause& cause) {
+  std::vector<Charge> all(cause.fault.begin(), cause.fault.end());
+  all.insert(all.end(), cause.others.begin(), cause.others.end());
+  return all;
+}
+
+/// Whether a mistake is made at the step about which an item asks.
+bool is_of_step(const Charge& charge, const Item& item) {
+  const auto* const mistake = std::get_if<const Mistake*>(&charge);
+  return mistake != nullptr && step_of(item) == (*mistake)->step;
+}
+
+/// Charges each known cause to one item only: of the items that fail by it, the first that asks
+/// about the step of the mistake, or else the first. Items that fail only by causes charged
+/// elsewhere follow.
 void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
                  std::vector<ItemTrial>& trials) {
   std::map<Charge, std::size_t> charged;
@@ -79,11 +83,6 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
                     .item = rubric.items[charged.at(its.front())].name};
   }
 }
-
-namespace {
-
-using properties::Candidate;
-using properties::Fault;
 
 /// The candidate with its pictures reduced to masks.
 Candidate masked(Candidate candidate) {
@@ -234,7 +233,7 @@ class Judge {
       const FailedCase& first = trials[k].failed.front();
       if (!keeps_state(first, candidate_for(rubric_.items[k]))) continue;
       trials[k].grade.mistakes = {{{std::string(properties::kKeepsState)}}};
-      trials[k].grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
+      trials[k].grade.first_wrong = {first.item_case.origin, first.discrepancy};
       trials[k].failed.clear();
       is_kept = true;
     }
@@ -246,7 +245,7 @@ class Judge {
     if (trial.failed.empty()) return;
     const FailedCase& first = trial.failed.front();
     const GradedCandidate graded = candidate_for(rubric_.items[index]);
-    trial.grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
+    trial.grade.first_wrong = {first.item_case.origin, first.discrepancy};
     const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
     try {
       const properties::Case smallest = simplest(first, graded, fault, is_late);

@@ -5,7 +5,6 @@
 
 #include "scene/text.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/results/record.h"
 #include "tools/grade/results/result.h"
 #include "tools/report/json.h"
 #include "tools/report/spelling.h"
@@ -13,6 +12,19 @@
 
 namespace raycheck::tools {
 namespace {
+
+/// "time is up after 60 s: robustness not judged"; empty if every item was asked.
+std::string time_up_text(const SubmissionGrade& grade) {
+  std::string items;
+  double seconds = 0;
+  for (const ItemGrade& item : grade.items) {
+    if (item.reason.kind != ItemReason::Kind::kTimeUp) continue;
+    seconds = item.reason.seconds;
+    items += (items.empty() ? "" : ", ") + item.name;
+  }
+  if (items.empty()) return "";
+  return fmt::format("time is up after {} s: {} not judged", seconds, items);
+}
 
 /// A line for each submission, with its mistake.
 std::string submission_lines(const ClassGrade& graded) {
@@ -56,10 +68,8 @@ std::string submission_lines(const ClassGrade& graded) {
 std::string class_text(const ClassGrade& graded) {
   std::string text = graded.rubric.title + "\n";
   if (graded.isolation) text += isolation_text(*graded.isolation) + "\n";
-  std::vector<const Item*> items;
-  for (const Item& item : graded.rubric.items) items.push_back(&item);
   const bool is_one = graded.submissions.size() == 1;
-  text += is_one ? submission_text(items, graded.submissions.front()) : submission_lines(graded);
+  text += is_one ? submission_text(graded.submissions.front()) : submission_lines(graded);
   if (is_one && !graded.out.empty()) {
     text += fmt::format("see {}/{}/{}\n", graded.out, line_text(graded.submissions[0].name),
                         kReportFile);
@@ -76,12 +86,12 @@ std::string class_text(const ClassGrade& graded) {
   text += not_judged == 0 ? fmt::format("{} graded", count_text(all, "submission"))
                           : fmt::format("{} of {} graded; {} could not be judged", all - not_judged,
                                         count_text(all, "submission"), not_judged);
-  if (graded.not_graded > 0) {
+  if (graded.not_graded() > 0) {
     text += fmt::format(
         ", {} of them for reasons outside the submission: run the same command to retry",
-        graded.not_graded);
+        graded.not_graded());
   }
-  if (graded.times) text += fmt::format(" ({})", times_text(*graded.times));
+  if (const std::string times = times_text(graded); !times.empty()) text += " (" + times + ")";
   return text + "\n";
 }
 
@@ -121,7 +131,7 @@ std::string class_json(const ClassGrade& graded) {
   Json json = json_header("grade");
   json["rubric"] = graded.rubric.title;
   json["interrupted"] = graded.interrupted;
-  json["not_graded"] = graded.not_graded;
+  json["not_graded"] = graded.not_graded();
   json["submissions"] = list_json(graded.submissions, record_json);
   return json_text(json);
 }

@@ -73,16 +73,19 @@ std::string page(std::string_view title, std::string_view body) {
       escaped(title), kStyle, body);
 }
 
-std::string download(std::string_view file, std::string_view text) {
-  std::string address = "data:text/plain;charset=utf-8,";
+std::string percent_encoded(std::string_view text, std::string_view plain) {
+  std::string encoded;
   for (const char c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      address += c;
-    } else {
-      address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = std::isalnum(byte) != 0 || plain.find(c) != plain.npos;
+    encoded += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
-  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", escaped(file), address);
+  return encoded;
+}
+
+std::string download(std::string_view file, std::string_view text) {
+  return fmt::format("<a download=\"{0}\" href=\"data:text/plain;charset=utf-8,{1}\">{0}</a>",
+                     escaped(file), percent_encoded(text));
 }
 
 namespace {
@@ -114,26 +117,24 @@ struct Mark {
   const char* sign;
   const char* meaning;
 };
-constexpr Mark kMissing = {
-    {230, 159, 0},
-    {".......", ".#####.", ".#...#.", ".#...#.", ".#...#.", ".#####.", "......."},
-    "&#9633;",
-    "a sphere is missing"};
-constexpr Mark kSurplus = {
-    {86, 180, 233},
-    {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
-    "&#10005;",
-    "a sphere is shown instead of the background"};
-constexpr Mark kOther = {
-    {240, 228, 66},
-    {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
-    "=",
-    "the wrong sphere is shown"};
+constexpr Mark kMarks[] = {
+    {{230, 159, 0},
+     {".......", ".#####.", ".#...#.", ".#...#.", ".#...#.", ".#####.", "......."},
+     "&#9633;",
+     "a sphere is missing"},
+    {{86, 180, 233},
+     {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
+     "&#10005;",
+     "a sphere is shown instead of the background"},
+    {{240, 228, 66},
+     {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
+     "=",
+     "the wrong sphere is shown"}};
 
 /// The mark of a pixel; null if the pixel is right.
 const Mark* mark_of(const Sphere& got, const Sphere& exact) {
   if (got == exact || (got == kSomeSphere && exact)) return nullptr;
-  return !got ? &kMissing : !exact ? &kSurplus : &kOther;
+  return &kMarks[!got ? 0 : !exact ? 1 : 2];
 }
 
 /// A picture by the case's camera, from the top line on.
@@ -212,9 +213,8 @@ std::string difference_html(const FailingCase& failing, std::string_view whose) 
     }
   }
   std::string caption = "difference";
-  for (const Mark* const mark : {&kMissing, &kSurplus, &kOther}) {
-    if (!used.contains(mark)) continue;
-    caption += fmt::format("<br>{} {}", mark->sign, mark->meaning);
+  for (const Mark& mark : kMarks) {
+    if (used.contains(&mark)) caption += fmt::format("<br>{} {}", mark.sign, mark.meaning);
   }
   return image_html(canvas.width * kMark, canvas.height * kMark, pixels,
                     difference_text(failing, whose), caption);

@@ -96,30 +96,6 @@ Submissions submissions_that(const ClassGrade& graded, bool are_judged) {
   return found;
 }
 
-std::optional<double> median(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::ranges::sort(values);
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-}
-
-std::vector<ItemStatistics> item_statistics(const ClassGrade& graded) {
-  std::vector<ItemStatistics> all;
-  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
-    ItemStatistics one;
-    one.item = &graded.rubric.items[k];
-    for (const SubmissionGrade* grade : submissions_that(graded, true)) {
-      const ItemGrade& item = grade->items[k];
-      if (item.state == ItemState::kNotAsked) continue;
-      ++one.asked;
-      one.failing += item.state == ItemState::kFails ? 1 : 0;
-      one.left_out +=
-          item.state == ItemState::kLeftOut || item.state == ItemState::kNotJudged ? 1 : 0;
-    }
-    all.push_back(one);
-  }
-  return all;
-}
-
 std::vector<MistakeStatistics> mistake_statistics(std::span<const SubmissionGrade> graded) {
   std::vector<MistakeStatistics> all;
   for (const SubmissionGrade& grade : graded) {
@@ -142,15 +118,13 @@ bool is_visible(const Rubric& rubric, const std::string& item) {
   });
 }
 
-/// Withholds the exact answer, and the error and the condition number, which would reveal it.
-void withhold_exact(WrongAnswer& answer) {
-  answer.exact.reset();
-  answer.error.reset();
-  answer.condition.reset();
-}
-
 void withhold_exact(FailingCase& failing) {
-  withhold_exact(failing.answer);
+  properties::Discrepancy& answer = failing.answer;
+  failing.is_withheld = true;
+  answer.exact.clear();
+  answer.error = 0;
+  answer.condition.reset();
+  answer.excuse = {};
   failing.answers.reset();
   if (failing.pictures) failing.pictures->exact.reset();
 }
