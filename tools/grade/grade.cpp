@@ -11,7 +11,6 @@
 
 #include "properties/mistakes/shown_picture.h"
 #include "scene/interruption.h"
-#include "scene/text.h"
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/store/store.h"
@@ -274,8 +273,8 @@ class ClassRun {
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
       grade.build_seconds = watch.lap();
-      take(error.found(), grade);
-      refuse(rubric_, error.refusal(), grade);
+      take(error.found, grade);
+      refuse(rubric_, error.refusal, grade);
       grade.finished = !control.interrupted();
     } catch (const scene::Interrupted&) {
       if (options_.probe) throw;
@@ -337,55 +336,6 @@ ClassGrade try_rubric(const GradeOptions& options, const RunControl& control) {
   try_on(&Item::pictures, renderer, true);
   tried.interrupted = control.interrupted();
   return tried;
-}
-
-namespace {
-
-std::vector<StudentGrade> shown_of(const ClassGrade& graded) {
-  std::vector<StudentGrade> shown;
-  for (const SubmissionGrade& grade : graded.submissions) {
-    shown.push_back(student_grade(graded.rubric, grade, HiddenBy::kUs));
-  }
-  return shown;
-}
-
-/// The lines that `grade` prints for one submission, then details of the items that fail. `out`:
-/// the folder of the results; or empty.
-std::string try_text(const StudentGrade& shown, const std::string& out) {
-  std::string text = submission_text(shown.submission);
-  if (shown.unlisted > 0) text += "  " + unlisted_text(shown) + "\n";
-  for (std::size_t k = 0; k < shown.items.size(); ++k) {
-    const ItemGrade& item = shown.submission.items[k];
-    // For items that were not answered, the line above is complete.
-    const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
-    if (item.state != ItemState::kFails || !has_more) continue;
-    text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
-  }
-  if (!out.empty()) {
-    const bool has_cases = std::ranges::any_of(
-        shown.submission.items, [](const ItemGrade& item) { return item.failing.has_value(); });
-    text +=
-        fmt::format("\nwrote {}/report.html{}\n", (fs::path(out) / shown.submission.name).string(),
-                    has_cases ? ", and the smallest failing cases beside it" : "");
-  }
-  return text;
-}
-
-}  // namespace
-
-bool holds_for_students(const ClassGrade& graded) {
-  const auto item_holds = [](const ItemGrade& item) {
-    return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
-  };
-  return std::ranges::all_of(shown_of(graded), [&](const StudentGrade& one) {
-    return could_be_judged(one.submission) && std::ranges::all_of(one.submission.items, item_holds);
-  });
-}
-
-std::string try_text(const ClassGrade& graded) {
-  const auto text_of = [&](const StudentGrade& one) { return try_text(one, graded.out); };
-  return graded.rubric.title + "\n" + scene::joined(shown_of(graded), "\n", text_of) +
-         (graded.interrupted ? "INTERRUPTED: these are the results so far.\n" : "");
 }
 
 }  // namespace raycheck::tools

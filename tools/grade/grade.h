@@ -39,11 +39,6 @@ struct GradeOptions {
 ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {},
                  Units* units = nullptr);
 
-/// Whether every item that students may see and that was asked holds, of all submissions.
-bool holds_for_students(const ClassGrade& graded);
-/// What students may see of their grades.
-std::string try_text(const ClassGrade& graded);
-
 /// Tries the rubric on two correct submissions: raycheck's own methods as a library and as a
 /// renderer.
 ClassGrade try_rubric(const GradeOptions& options, const properties::RunControl& control);

@@ -238,21 +238,14 @@ void plan_built_before(const HandedInFiles& files, std::vector<BuildAttempt>& pl
   }
   sort_by_likelihood(programs);
   sort_by_likelihood(scripts);
-  if (!programs.empty()) {
-    const std::string& program = programs.front();
-    plan.push_back({"its program",
-                    "chmod +x " + program,
-                    "",
-                    "chmod +x " + single_quoted(program),
-                    candidate_word("./" + program),
-                    {},
-                    {fmt::format("{} is run as it was handed in", program)}});
-  } else if (!scripts.empty()) {
-    const std::string& script = scripts.front();
-    const bool has_interpreter = files.at(script).text.starts_with("#!");
-    plan.push_back({"its script", "chmod +x " + script, "", "chmod +x " + single_quoted(script),
-                    (has_interpreter ? "" : "sh ") + candidate_word("./" + script)});
-  }
+  const bool is_program = !programs.empty();
+  if (!is_program && scripts.empty()) return;
+  const std::string& name = (is_program ? programs : scripts).front();
+  const bool needs_shell = !is_program && !files.at(name).text.starts_with("#!");
+  plan.push_back({is_program ? "its program" : "its script", "chmod +x " + name, "",
+                  "chmod +x " + single_quoted(name),
+                  (needs_shell ? "sh " : "") + candidate_word("./" + name)});
+  if (is_program) plan.back().notes = {name + " is run as it was handed in"};
 }
 
 }  // namespace

@@ -238,12 +238,9 @@ bool is_taken(const std::string& path) {
   return top == kSceneFile || top == kImageFile;
 }
 
-/// Orders paths nearer to the top first, so that a folder comes before its contents.
-bool is_nearer(const std::string& a, const std::string& b) {
-  const auto key = [](const std::string& path) {
-    return std::tuple<std::ptrdiff_t, const std::string&>(std::ranges::count(path, '/'), path);
-  };
-  return key(a) < key(b);
+/// The order of paths: nearer to the top first, so that a folder comes before its contents.
+std::tuple<std::ptrdiff_t, std::string> nearness(const std::string& path) {
+  return {std::ranges::count(path, '/'), path};
 }
 
 /// Files that are not pictures, programs or archives are listed from this size on.
@@ -331,9 +328,9 @@ std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
       continue;
     names.push_back(name);
   }
-  std::ranges::sort(start.folders, is_nearer);
+  std::ranges::sort(start.folders, {}, nearness);
   start.folders.resize(std::min(start.folders.size(), kMostInRunFolder));
-  std::ranges::sort(names, is_nearer);
+  std::ranges::sort(names, {}, nearness);
   const std::set<std::string> made(start.folders.begin(), start.folders.end());
   std::size_t copied = 0;
   for (const std::string& name : names) {

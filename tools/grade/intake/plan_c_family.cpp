@@ -90,8 +90,7 @@ std::string top_file(const HandedInFiles& files, const std::vector<std::string>&
     if (is_named && !is_generated && !vendored.has(name) && !is_aside(name)) found.push_back(name);
   }
   if (found.empty()) return "";
-  std::ranges::stable_sort(
-      found, [&](const std::string& a, const std::string& b) { return depth(a) < depth(b); });
+  std::ranges::stable_sort(found, {}, depth);
   const std::string folder = folder_of(found.front());
   for (const std::string& other : found) {
     if (depth(other) == depth(found.front()) && folder_of(other) != folder) return "";

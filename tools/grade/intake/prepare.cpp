@@ -255,9 +255,9 @@ SubmissionError as_misnamed(const SubmissionError& error, const Intake& intake) 
       return {
           {fmt::format("{} uses {}, but this rubric takes functions only from {}: rename it; as "
                        "a renderer, {}",
-                       name, used, scene::joined(names, ", "), error.refusal().why),
-           error.refusal().said},
-          error.found()};
+                       name, used, scene::joined(names, ", "), error.refusal.why),
+           error.refusal.said},
+          error.found};
     }
   }
   return error;

@@ -17,20 +17,14 @@
 namespace raycheck::tools {
 
 /// Why a submission cannot be judged.
-class SubmissionError : public std::invalid_argument {
- public:
-  SubmissionError(Refusal refusal, Preparation found)
-      : std::invalid_argument(refusal.why),
-        refusal_(std::move(refusal)),
-        found_(std::move(found)) {}
-  const Refusal& refusal() const { return refusal_; }
-  const Preparation& found() const { return found_; }
+struct SubmissionError : std::invalid_argument {
+  SubmissionError(Refusal given, Preparation until_then)
+      : std::invalid_argument(given.why), refusal(std::move(given)), found(std::move(until_then)) {}
   /// How far it got: kNothing if it could not be started.
-  Progress progress() const { return found_.dry_run ? found_.dry_run->progress : Progress(); }
+  Progress progress() const { return found.dry_run ? found.dry_run->progress : Progress(); }
 
- private:
-  Refusal refusal_;
-  Preparation found_;
+  Refusal refusal;
+  Preparation found;
 };
 
 /// A submission in a folder that its program may read, built if its form says so.

@@ -197,8 +197,7 @@ void sort_by_likelihood(std::vector<std::string>& names) {
   const auto key = [](const std::string& name) {
     return std::tuple(likelihood_rank(name), std::ranges::count(name, '/'), name);
   };
-  std::ranges::sort(names,
-                    [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+  std::ranges::sort(names, {}, key);
 }
 
 namespace {

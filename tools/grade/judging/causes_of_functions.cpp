@@ -39,19 +39,18 @@ std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candida
 /// Whether an alternative of a cause is also an alternative of one of `causes`.
 bool is_among(const Explanation& alternative, const AnswerCause& cause,
               const std::vector<AnswerCause>& causes) {
-  return std::any_of(causes.begin(), causes.end(), [&](const AnswerCause& other) {
+  return std::ranges::any_of(causes, [&](const AnswerCause& other) {
     return other.roundings == cause.roundings &&
-           std::any_of(other.alternatives.begin(), other.alternatives.end(),
-                       [&](const Explanation& one) {
-                         return cause.roundings || one.sentence == alternative.sentence;
-                       });
+           std::ranges::any_of(other.alternatives, [&](const Explanation& one) {
+             return cause.roundings || one.sentence == alternative.sentence;
+           });
   });
 }
 
 /// The cause "roundings" among the causes of all items, or null. It is reported once.
 const AnswerCause* roundings_of(const std::vector<AnswerCause>& causes) {
-  const auto found = std::find_if(causes.begin(), causes.end(),
-                                  [](const AnswerCause& one) { return one.roundings.has_value(); });
+  const auto found = std::ranges::find_if(
+      causes, [](const AnswerCause& one) { return one.roundings.has_value(); });
   return found == causes.end() ? nullptr : &*found;
 }
 
@@ -81,7 +80,7 @@ bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& 
                    const Candidate& candidate) {
   Candidate mistaken = mistake.candidate;
   mistaken.declared = candidate.declared;
-  return std::all_of(cases.begin(), cases.end(), [&](const Case& one) {
+  return std::ranges::all_of(cases, [&](const Case& one) {
     Trial its(one, candidate), made(one, mistaken);
     if (!one.scene.camera || !its.has_rays()) return true;
     const auto its_rays = answered([&] { return its.rays(); });

@@ -73,10 +73,10 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
     ItemGrade& grade = trials[k].grade;
     const std::vector<Charge> its = charges(causes[k]);
     // Only right answers get bonus points.
-    const bool follows = grade.state == ItemState::kFails && !rubric.items[k].bonus &&
-                         causes[k].is_all && !its.empty() &&
-                         std::all_of(its.begin(), its.end(),
-                                     [&](const Charge& one) { return charged.at(one) != k; });
+    const bool follows =
+        grade.state == ItemState::kFails && !rubric.items[k].bonus && causes[k].is_all &&
+        !its.empty() &&
+        std::ranges::all_of(its, [&](const Charge& one) { return charged.at(one) != k; });
     if (!follows) continue;
     grade.state = ItemState::kFollows;
     grade.reason = {.kind = ItemReason::Kind::kFollows,
@@ -214,8 +214,8 @@ class Judge {
                                           ItemGrade& grade) {
     if (grade.state == ItemState::kNotAsked) return;
     for (const std::string& needed : item.needs) {
-      const auto found = std::find_if(before.begin(), before.end(),
-                                      [&](const ItemGrade& other) { return other.name == needed; });
+      const auto found = std::ranges::find_if(
+          before, [&](const ItemGrade& other) { return other.name == needed; });
       if (found->state == ItemState::kNotAsked || found->score >= found->points) continue;
       grade = unjudged(item, grade.pictures);
       grade.state = ItemState::kLeftOut;

@@ -180,13 +180,21 @@ std::set<std::size_t> spheres_of(const ImageAnswer& image) {
   return shown;
 }
 
-std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::string_view whose) {
+/// The pixels of a picture whose every pixel is a square of `side` pixels.
+template <class ColourAt>
+std::vector<Colour> drawn(const Canvas& canvas, int side, const ColourAt& colour_at) {
   std::vector<Colour> pixels;
-  for (std::int64_t y = 0; y < canvas.height; ++y) {
-    for (std::int64_t x = 0; x < canvas.width; ++x) {
-      pixels.push_back(colour_of(image[canvas.at(x, y)]));
+  for (std::int64_t y = 0; y < canvas.height * side; ++y) {
+    for (std::int64_t x = 0; x < canvas.width * side; ++x) {
+      pixels.push_back(colour_at(canvas.at(x / side, y / side), x % side, y % side));
     }
   }
+  return pixels;
+}
+
+std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::string_view whose) {
+  const auto pixels =
+      drawn(canvas, 1, [&](std::size_t at, auto...) { return colour_of(image[at]); });
   const std::string shown = scene::joined(spheres_of(image), ", ", name_of);
   return image_html(canvas.width, canvas.height, pixels,
                     fmt::format("{}, {} by {} pixels: {}", whose, canvas.width, canvas.height,
@@ -197,21 +205,14 @@ std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::stri
 std::string difference_html(const FailingCase& failing, std::string_view whose) {
   const Canvas canvas(failing);
   const ComparedPictures& pictures = *failing.pictures;
-  std::vector<Colour> pixels(static_cast<std::size_t>(canvas.width * canvas.height) * kMark *
-                             kMark);
   std::set<const Mark*> used;
-  for (std::int64_t y = 0; y < canvas.height * kMark; ++y) {
-    for (std::int64_t x = 0; x < canvas.width * kMark; ++x) {
-      const std::size_t at = canvas.at(x / kMark, y / kMark);
-      const Sphere& exact = (*pictures.exact)[at];
-      Colour& pixel = pixels[static_cast<std::size_t>(y * canvas.width * kMark + x)];
-      pixel = exact ? kQuiet : Colour{};
-      const Mark* const mark = mark_of(pictures.got[at], exact);
-      if (mark == nullptr) continue;
-      used.insert(mark);
-      if (mark->shape[static_cast<std::size_t>(y % kMark)][x % kMark] == '#') pixel = mark->colour;
-    }
-  }
+  const auto pixels = drawn(canvas, kMark, [&](std::size_t at, std::int64_t x, std::int64_t y) {
+    const Sphere& exact = (*pictures.exact)[at];
+    const Mark* const mark = mark_of(pictures.got[at], exact);
+    if (mark != nullptr) used.insert(mark);
+    const bool is_marked = mark != nullptr && mark->shape[static_cast<std::size_t>(y)][x] == '#';
+    return is_marked ? mark->colour : exact ? kQuiet : Colour{};
+  });
   std::string caption = "difference";
   for (const Mark& mark : kMarks) {
     if (used.contains(&mark)) caption += fmt::format("<br>{} {}", mark.sign, mark.meaning);

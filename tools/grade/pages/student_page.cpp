@@ -84,13 +84,12 @@ std::string item_html(const StudentGrade& all, std::size_t k, const std::string&
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];
   const bool fails = grade.state == ItemState::kFails;
-  const std::string of =
-      fmt::format(" of {}{}", points_text(grade.points), item.bonus ? " (bonus)" : "");
   std::string html = fmt::format(
       "<details class=\"{}\"{}>\n<summary><h2 class=\"name\">{}</h2><span class=\"points\">"
       "{}</span></summary>\n",
       class_of(grade), fails ? " open" : "", escaped(item.name),
-      grade.state == ItemState::kNotAsked ? "not asked" : points_text(grade.score) + of);
+      grade.state == ItemState::kNotAsked ? "not asked"
+                                          : points_text(grade.score) + of_points_text(grade));
   if (!item.asks.empty()) html += "<p>" + escaped(item.asks) + "</p>\n";
   if (!item.why.empty()) html += "<p class=\"quiet\">Why: " + escaped(item.why) + "</p>\n";
   html += "<p>" + escaped(state_text(grade)) + "</p>\n";

@@ -31,6 +31,11 @@ std::string class_page(const ClassGrade& graded);
 /// The formats that the command prints; the first is the default.
 inline constexpr ClassView kPrintedViews[] = {
     {"text", class_text}, {"json", class_json}, {"csv", class_csv}};
+/// What students may see of their grades.
+std::string try_text(const ClassGrade& graded);
+/// Whether every item that students may see and that was asked holds, of all submissions.
+bool holds_for_students(const ClassGrade& graded);
+
 /// A graded class whose submissions were only built and tried.
 std::string probe_text(const ClassGrade& probed);
 std::string probe_json(const ClassGrade& probed);
@@ -97,8 +102,9 @@ std::string state_text(const ItemGrade& grade);
 
 /// The score without bonus; "-" if the submission could not be judged and gets no points.
 std::string score_text(const SubmissionGrade& grade);
-/// " of 100, bonus 7.5"
+/// " of 100, bonus 7.5"; of an item: " of 10 (bonus)"
 std::string of_points_text(const SubmissionGrade& grade);
+std::string of_points_text(const ItemGrade& grade);
 
 /// "could not be judged: 'make' exited with 2". Domain: a submission that could not be judged.
 std::string not_judged_text(const SubmissionGrade& grade);

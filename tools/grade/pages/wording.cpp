@@ -137,6 +137,10 @@ std::string of_points_text(const SubmissionGrade& grade) {
          (grade.bonus > 0 ? ", bonus " + points_text(grade.bonus) : "");
 }
 
+std::string of_points_text(const ItemGrade& grade) {
+  return " of " + points_text(grade.points) + (grade.bonus ? " (bonus)" : "");
+}
+
 std::string not_judged_text(const SubmissionGrade& grade) {
   return "could not be judged: " + grade.refused->why;
 }
@@ -258,11 +262,9 @@ std::string submission_text(const SubmissionGrade& grade) {
   for (const ItemGrade& item : grade.items) width = std::max(width, item.name.size());
   for (const ItemGrade& item : grade.items) {
     const bool is_asked = item.state != ItemState::kNotAsked;
-    const std::string of =
-        fmt::format(" of {}{}", points_text(item.points), item.bonus ? " (bonus)" : "");
-    text +=
-        fmt::format("  {:<{}}  {:>5}{}  {}\n", item.name, width,
-                    is_asked ? points_text(item.score) : "-", is_asked ? of : "", state_text(item));
+    text += fmt::format("  {:<{}}  {:>5}{}  {}\n", item.name, width,
+                        is_asked ? points_text(item.score) : "-",
+                        is_asked ? of_points_text(item) : "", state_text(item));
   }
   return text + notes_text(grade);
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <utility>
 
@@ -36,11 +37,7 @@ ItemGrade unjudged(const Item& item, bool pictures) {
 std::string plain_text(const std::string& said) {
   // Compilers print typographic quotes.
   std::string text = without_private_folders(said);
-  for (const char* quote : {"\xe2\x80\x98", "\xe2\x80\x99"}) {
-    for (std::size_t at = 0; (at = text.find(quote, at)) != std::string::npos; ++at) {
-      text.replace(at, 3, "'");
-    }
-  }
+  for (const char* quote : {"\xe2\x80\x98", "\xe2\x80\x99"}) boost::replace_all(text, quote, "'");
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
