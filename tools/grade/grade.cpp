@@ -1,5 +1,7 @@
 #include "tools/grade/grade.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,11 +13,11 @@
 #include "scene/interruption.h"
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
-#include "tools/grade/results/record.h"
 #include "tools/grade/store/store.h"
 #include "tools/implementations/built_in.h"
-#include "tools/report/version.h"
+#include "tools/report/output_file.h"
 #include "tools/report/words.h"
+#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 namespace {
@@ -40,13 +42,18 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& control,
-               SubmissionGrade& grade) {
-  grade.items = judge(rubric, std::move(judged), grade.seed, control);
+/// Takes the grades of all items, and adds up their points.
+void take(std::vector<ItemGrade> items, SubmissionGrade& grade) {
+  grade.items = std::move(items);
   for (const ItemGrade& item : grade.items) {
     grade.score += item.score;
     (item.bonus ? grade.bonus : grade.points) += item.bonus ? item.score : item.points;
   }
+}
+
+void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& control,
+               SubmissionGrade& grade) {
+  take(judge(rubric, std::move(judged), grade.seed, control), grade);
   grade.finished = !control.interrupted();
 }
 
@@ -54,28 +61,27 @@ void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& 
 /// gives the score.
 void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade) {
   grade.refused = {plain_text(refusal.why), plain_text(refusal.said)};
-  const bool pictures = grade.program && grade.program->kind == CandidateKind::kRenderer;
+  std::vector<ItemGrade> items;
   for (const Item& item : rubric.items) {
-    ItemGrade none = unjudged(item, pictures);
-    none.reason.kind = ItemReason::Kind::kNothingRuns;
-    if (!item.bonus) grade.points += none.points;
-    grade.items.push_back(std::move(none));
+    items.push_back(unjudged(item, grade.found.is_renderer()));
+    items.back().reason.kind = ItemReason::Kind::kNothingRuns;
   }
+  take(std::move(items), grade);
   grade.score = rubric.unjudged * grade.points;
 }
 
-void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
-  grade.program = found.program;
-  grade.build_words = found.build_words;
-  grade.adapter = found.adapter;
-  grade.opaque_files = found.opaque_files;
-  grade.notes = found.all_notes();
-  if (found.dry_run) grade.driver = found.dry_run->driver;
+/// Takes the findings, and their notes on the build and on the dry run.
+void take(const Preparation& found, SubmissionGrade& grade) {
+  grade.found = found;
+  for (const std::string& note : found.notes) grade.notes.push_back(plain_text(note));
+  if (!found.dry_run) return;
+  for (const std::string& note : found.dry_run->notes) grade.notes.push_back(plain_text(note));
 }
 
 /// Adds the note that pictures show nothing. If the submission has points, it draws scenes other
 /// than the dry run's, and there is no note.
-void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
+void note_that_nothing_shows(SubmissionGrade& grade) {
+  const std::optional<DryRun>& dry = grade.found.dry_run;
   if (!dry || dry->shows_nothing.empty()) return;
   const bool has_points =
       std::ranges::any_of(grade.items, [](const ItemGrade& item) { return item.score > 0; });
@@ -109,7 +115,7 @@ std::map<std::string, std::string> files_for_student(const StudentGrade& shown) 
     if (!failing) continue;
     const std::string name = file_name(shown.items[k]->name);
     files[name + kSceneEnding] = scene_text(*failing);
-    const std::string driver = driver_file_text(*failing, shown.submission.driver);
+    const std::string driver = driver_file_text(*failing, shown.submission.found.driver());
     if (!driver.empty()) files[name + kDriverEnding] = driver;
   }
   files[kReportFile] = report_page(shown);
@@ -124,16 +130,17 @@ class ClassRun {
       : options_(options),
         rubric_(load_rubric(options.rubric, options.dialect)),
         here_(chosen_layers(options.sandbox)),
-        layers_(here_.layers),
         submissions_(find_submissions(options.submissions, names_of_class_files())) {
     if (!options.out.empty()) {
       require_disjoint(options_.out, submissions_);
       own_.emplace(options_.out);
       require_place();
-      for (const Submission& submission : submissions_) own_->make_folder(submission.name);
+      for (const Submission& submission : submissions_) {
+        make_folder("out", fs::path(options_.out) / submission.name);
+      }
       if (!options.for_student) store_.emplace(options_.out);
     }
-    test_environment(rubric_, layers_);
+    test_environment(rubric_, here_.layers);
   }
 
   ClassGrade grade(const RunControl& control, Units* units) {
@@ -143,14 +150,7 @@ class ClassRun {
       result.interrupted = control.interrupted();
       return result;
     }
-    std::vector<Graded> all = done_for_each<Graded>(
-        submissions_, control,
-        [&](const Submission& one, bool alone) { return graded(one, control, alone); });
-    for (Graded& one : all) {
-      add_times(one.grade, result.times);
-      if (!one.outside.empty()) ++result.not_graded;
-      result.submissions.push_back(std::move(one.grade));
-    }
+    result.submissions = graded(submissions_, control);
     result.rubric = rubric_;
     result.out = options_.out;
     result.isolation = here_;
@@ -170,12 +170,38 @@ class ClassRun {
       open.push_back(unit);
       mine.push_back(submissions_[static_cast<std::size_t>(unit)]);
     }
-    const auto all = done_for_each<Graded>(mine, control, [&](const Submission& one, bool alone) {
-      return graded(one, control, alone);
-    });
+    const std::vector<SubmissionGrade> all = graded(mine, control);
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (all[k].grade.finished && all[k].outside.empty()) units.write(open[k], all[k].grade.name);
+      if (all[k].finished && all[k].outside.empty()) units.write(open[k], all[k].name);
     }
+  }
+
+  /// Grades submissions; the results are in order. If a failure is not the submission's fault, it
+  /// is graded again at the end, with no other submission running.
+  std::vector<SubmissionGrade> graded(const std::vector<Submission>& submissions,
+                                      const RunControl& control) {
+    std::vector<SubmissionGrade> all;
+    in_order<SubmissionGrade>(
+        static_cast<std::int64_t>(submissions.size()), control,
+        [&](std::int64_t k) {
+          return graded(submissions[static_cast<std::size_t>(k)], control, false);
+        },
+        [&](SubmissionGrade& one) {
+          const std::string state =
+              fmt::format("{} of {} done", all.size() + 1, submissions.size());
+          control.progress(state);
+          control.done(state + ": " + one.name);
+          all.push_back(std::move(one));
+        });
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].outside.empty() || control.interrupted()) continue;
+      const std::string again =
+          submissions[k].name + ": repeated, with no other submission running";
+      control.progress(again);
+      all[k] = graded(submissions[k], control, true);
+      control.done(again);
+    }
+    return all;
   }
 
   /// Checks before grading that no file that raycheck did not write has the name of a result.
@@ -191,33 +217,20 @@ class ClassRun {
     }
   }
 
-  static void add_times(const SubmissionGrade& grade, std::optional<GradingTimes>& times) {
-    if (!times) times.emplace();
-    times->build_seconds += grade.build_seconds;
-    times->judge_seconds += grade.judge_seconds;
-    times->stored_builds += grade.build_is_stored ? 1 : 0;
-  }
-
-  struct Graded {
+  SubmissionGrade graded(const Submission& submission, const RunControl& control, bool alone) {
     SubmissionGrade grade;
-    std::string outside = {};  ///< Why the environment failed, so that there is no grade; or empty.
-  };
-
-  Graded graded(const Submission& submission, const RunControl& control, bool alone) {
-    Graded one;
-    one.grade.name = submission.name;
-    one.grade.seed =
-        options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
-    one.grade.isolation = layers_;
+    grade.name = submission.name;
+    grade.seed = options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
+    grade.isolation = here_.layers;
     try {
-      one.outside = grade_one(submission, control, alone, one.grade);
+      grade_one(submission, control, alone, grade);
     } catch (const std::logic_error& error) {
       const auto* const ours = dynamic_cast<const properties::InternalError*>(&error);
       throw properties::InternalError(fmt::format("{}: {}", submission.name, error.what()),
                                       ours != nullptr ? ours->the_case : std::nullopt);
     }
-    if (own_) write(submission, one.grade);
-    return one;
+    if (own_) write(submission, grade);
+    return grade;
   }
 
   /// How raycheck knows the form that a renderer reads, after a dry run if there was one.
@@ -228,37 +241,43 @@ class ClassRun {
     return dry->shows_a_sphere() ? FormKnown::kFound : FormKnown::kNot;
   }
 
-  /// Grades a submission. If there is no grade for a reason that is not its fault, returns that
-  /// reason; otherwise an empty text.
-  std::string grade_one(const Submission& submission, const RunControl& given, bool alone,
-                        SubmissionGrade& grade) {
+  /// Asks a submission that runs all items.
+  void ask(const RunnableSubmission& runnable, const RunControl& control, SubmissionGrade& grade) {
+    const auto last_failure = std::make_shared<std::optional<FailureKind>>();
+    const auto& dry = grade.found.dry_run;
+    judge_all(rubric_,
+              {external_candidate(runnable.external, last_failure), grade.found.is_renderer(),
+               form_known(rubric_.driver, dry), dry ? dry->driver.dialect : scene::Dialect::kB,
+               last_failure, !grade.found.adapter.empty(), runnable.external.program.spent},
+              control, grade);
+    note_that_nothing_shows(grade);
+    if (std::string note = inexpressible_text(grade); !note.empty()) grade.notes.push_back(note);
+  }
+
+  void grade_one(const Submission& submission, const RunControl& given, bool alone,
+                 SubmissionGrade& grade) {
     Stopwatch watch;
     const auto surroundings = std::make_shared<Surroundings>(alone);
-    const RunControl control = until_blamed(given, *surroundings);
+    RunControl control = given;
+    control.interrupted = [&] { return given.interrupted() || !surroundings->cause().empty(); };
     const SubmissionGrade before = grade;
     try {
-      const RunnableSubmission runnable = prepare(submission, rubric_, {layers_, surroundings},
-                                                  control, store_ ? &*store_ : nullptr);
+      RunOptions options = run_options(rubric_, here_.layers);
+      options.surroundings = surroundings;
+      const RunnableSubmission runnable =
+          prepare(submission, rubric_, std::move(options), control, store_ ? &*store_ : nullptr);
       grade.build_seconds = watch.lap();
       grade.build_is_stored = runnable.build_is_stored;
-      take_what_was_found(runnable.found, grade);
-      const auto last_failure = std::make_shared<std::optional<FailureKind>>();
-      const auto& dry = runnable.found.dry_run;
-      judge_all(rubric_,
-                {external_candidate(runnable.external, last_failure),
-                 runnable.found.program->kind == CandidateKind::kRenderer,
-                 form_known(rubric_.driver, dry), dry ? dry->driver.dialect : scene::Dialect::kB,
-                 last_failure, !runnable.found.adapter.empty(), runnable.external.program.spent},
-                control, grade);
-      note_that_nothing_shows(dry, grade);
-      if (std::string note = inexpressible_text(grade); !note.empty()) grade.notes.push_back(note);
+      take(runnable.found, grade);
+      if (!options_.probe) ask(runnable, control, grade);
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
       grade.build_seconds = watch.lap();
-      take_what_was_found(error.found(), grade);
-      refuse(rubric_, error.refusal(), grade);
+      take(error.found, grade);
+      refuse(rubric_, error.refusal, grade);
       grade.finished = !control.interrupted();
     } catch (const scene::Interrupted&) {
+      if (options_.probe) throw;
       // The next run grades it.
       refuse(rubric_, {"raycheck was interrupted before the first question", ""}, grade);
     } catch (const std::logic_error&) {  // raycheck's own
@@ -267,12 +286,11 @@ class ClassRun {
       surroundings->blame(error.what());
     }
     // If the submission is not at fault, the next run grades it again.
-    const std::string cause = surroundings->cause();
-    if (!cause.empty()) {
+    if (const std::string cause = surroundings->cause(); !cause.empty()) {
       grade = before;
-      refuse(rubric_, outside_refusal(cause), grade);
+      grade.outside = cause;
+      refuse(rubric_, {"for a reason outside the submission: " + cause, ""}, grade);
     }
-    return cause;
   }
 
   void write(const Submission& submission, const SubmissionGrade& grade) {
@@ -287,7 +305,6 @@ class ClassRun {
   const GradeOptions& options_;
   Rubric rubric_;
   LayersHere here_;
-  Layers layers_;
   std::vector<Submission> submissions_;
   std::optional<OwnFiles> own_;  ///< Absent if no results are written.
   std::optional<Store> store_;   ///< Absent if there is no `out`, and for students.
@@ -299,86 +316,26 @@ ClassGrade grade(const GradeOptions& options, const RunControl& control, Units* 
   return ClassRun(options).grade(control, units);
 }
 
-std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
-                                        const RunControl& control) {
-  const auto asks = [&](const auto& task) {
-    return std::ranges::any_of(rubric.items,
-                               [&](const Item& item) { return (item.*task).has_value(); });
+ClassGrade try_rubric(const GradeOptions& options, const RunControl& control) {
+  ClassGrade tried;
+  tried.rubric = load_rubric(options.rubric, options.dialect);
+  const auto try_on = [&](const auto& task, const properties::Candidate& candidate, bool pictures) {
+    const bool is_asked = std::ranges::any_of(
+        tried.rubric.items, [&](const Item& item) { return (item.*task).has_value(); });
+    if (!is_asked) return;
+    SubmissionGrade& grade = tried.submissions.emplace_back();
+    grade.name = pictures ? "pictures" : "functions";
+    grade.seed = options.seed;
+    judge_all(tried.rubric, {candidate, pictures}, control, grade);
   };
-  std::vector<SubmissionGrade> grades;
-  const auto try_on = [&](const char* name, const properties::Candidate& candidate, bool pictures) {
-    SubmissionGrade grade;
-    grade.name = name;
-    grade.seed = seed;
-    judge_all(rubric, {candidate, pictures}, control, grade);
-    grades.push_back(std::move(grade));
-  };
-  if (asks(&Item::functions)) try_on("functions", candidate_of(kDefaultMethods), false);
-  if (asks(&Item::pictures)) {
-    properties::Candidate renderer;
-    renderer.name = "pictures";
-    renderer.excused_image_change = rubric.image_change;
-    renderer.image = properties::exact_image;
-    try_on("pictures", renderer, true);
-  }
-  return grades;
-}
-
-bool TryReport::holds() const {
-  const auto item_holds = [](const ItemGrade& item) {
-    return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
-  };
-  return std::ranges::all_of(shown, [&](const StudentGrade& one) {
-    return could_be_judged(one.submission) && std::ranges::all_of(one.submission.items, item_holds);
-  });
-}
-
-TryReport try_submission(GradeOptions options, const properties::RunControl& control) {
-  options.for_student = true;
-  ClassGrade graded = grade(options, control);
-  TryReport report;
-  report.interrupted = graded.interrupted;
-  report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));
-  report.out = options.out;
-  for (const SubmissionGrade& grade : graded.submissions) {
-    report.shown.push_back(student_grade(*report.rubric, grade, HiddenBy::kUs));
-  }
-  return report;
-}
-
-namespace {
-
-/// The lines that `grade` prints for one submission, then details of the items that fail. `out`:
-/// the folder of the results; or empty.
-std::string try_text(const StudentGrade& shown, const std::string& out) {
-  std::string text = submission_text(shown.items, shown.submission);
-  if (shown.unlisted > 0) text += "  " + unlisted_text(shown) + "\n";
-  for (std::size_t k = 0; k < shown.items.size(); ++k) {
-    const ItemGrade& item = shown.submission.items[k];
-    // For items that were not answered, the line above is complete.
-    const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
-    if (item.state != ItemState::kFails || !has_more) continue;
-    text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
-  }
-  if (!out.empty()) {
-    const bool has_cases = std::ranges::any_of(
-        shown.submission.items, [](const ItemGrade& item) { return item.failing.has_value(); });
-    text +=
-        fmt::format("\nwrote {}/report.html{}\n", (fs::path(out) / shown.submission.name).string(),
-                    has_cases ? ", and the smallest failing cases beside it" : "");
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string try_text(const TryReport& report) {
-  std::string text = report.rubric->title + "\n";
-  for (std::size_t k = 0; k < report.shown.size(); ++k) {
-    text += (k == 0 ? "" : "\n") + try_text(report.shown[k], report.out);
-  }
-  if (report.interrupted) text += "INTERRUPTED: these are the results so far.\n";
-  return text;
+  try_on(&Item::functions, candidate_of(kDefaultMethods), false);
+  properties::Candidate renderer;
+  renderer.name = "pictures";
+  renderer.excused_image_change = tried.rubric.image_change;
+  renderer.image = properties::exact_image;
+  try_on(&Item::pictures, renderer, true);
+  tried.interrupted = control.interrupted();
+  return tried;
 }
 
 }  // namespace raycheck::tools

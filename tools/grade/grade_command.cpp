@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 #include "scene/files/file_text.h"
@@ -11,8 +12,8 @@
 #include "tools/commands.h"
 #include "tools/flags.h"
 #include "tools/grade/grade.h"
+#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/probe.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
 
@@ -43,22 +44,18 @@ std::string secret_of(const std::string& path) {
   throw std::invalid_argument("--secret-file " + path + ": is empty");
 }
 
-/// The class in a printed format. If `format` is only a format of results.json, the default format
-/// is used.
-std::string printed(const ClassGrade& graded, const std::string& format) {
-  for (const ClassView& view : kPrintedViews) {
-    if (view.name == format) return view.render(graded);
-  }
-  return kPrintedViews[0].render(graded);
+/// Prints the class in a format. If `format` is only a format of results.json, the first view is
+/// used.
+void print_class(std::span<const ClassView> views, const std::string& format,
+                 const ClassGrade& graded) {
+  const auto view = std::ranges::find(views, format, &ClassView::name);
+  print_report((view == views.end() ? views.front() : *view).render(graded));
 }
 
 /// Tries the rubric on raycheck's own methods, if there are no submissions.
 int try_own_methods(const GradeArguments& arguments) {
-  ClassGrade tried;
-  tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
-  tried.submissions = try_rubric(tried.rubric, arguments.options.seed, run_control("rubric"));
-  tried.interrupted = interrupted();
-  print_report(printed(tried, arguments.format));
+  const ClassGrade tried = try_rubric(arguments.options, run_control("rubric"));
+  print_class(kPrintedViews, arguments.format, tried);
   bool is_full = true;
   for (const SubmissionGrade& grade : tried.submissions) {
     for (const ItemGrade& item : grade.items) {
@@ -74,18 +71,19 @@ int try_own_methods(const GradeArguments& arguments) {
   return exit_code(tried.interrupted, !is_full, true);
 }
 
-/// Makes only the dry run.
+/// Makes only the dry run. (Its `out` is not used.)
 int run_probe(const GradeArguments& arguments) {
-  if (std::ranges::none_of(kProbeViews,
-                           [&](const auto& view) { return view.name == arguments.format; })) {
+  if (std::ranges::find(kProbeViews, arguments.format, &ClassView::name) == std::end(kProbeViews)) {
     throw std::invalid_argument("--format " + arguments.format +
                                 ": with --probe, give text or json");
   }
   GradeOptions options = arguments.options;
+  options.probe = true;
+  options.out.clear();
   options.sandbox = sandbox_of(arguments.sandbox);
-  const ProbeReport report = probe(options, run_control("submissions", arguments.jobs));
-  print_view(kProbeViews, arguments.format, report);
-  return exit_code(report.interrupted, !report.holds(), true);
+  const ClassGrade probed = grade(options, run_control("submissions", arguments.jobs));
+  print_class(kProbeViews, arguments.format, probed);
+  return exit_code(probed.interrupted, !submissions_that(probed, false).empty(), true);
 }
 
 int run_grade(const GradeArguments& arguments) {
@@ -120,8 +118,8 @@ int run_grade(const GradeArguments& arguments) {
     shards.out = options.out;
     return shard_done(shards, *units, graded.interrupted);
   }
-  print_report(printed(graded, arguments.format));
-  return exit_code(graded.interrupted, false, graded.not_graded == 0);
+  print_class(kPrintedViews, arguments.format, graded);
+  return exit_code(graded.interrupted, false, graded.not_graded() == 0);
 }
 
 }  // namespace

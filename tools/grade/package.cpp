@@ -2,6 +2,7 @@
 #include <archive_entry.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -56,11 +57,11 @@ fi
 /// Libraries that every machine with a C++ compiler has; submissions must use the compiler's
 /// version.
 bool is_of_the_system(const std::string& name) {
-  for (const char* own : {"libc.so", "libm.so", "libdl.so", "librt.so", "libpthread.so", "ld-linux",
-                          "libstdc++.so", "libgcc_s.so", "linux-vdso"}) {
-    if (name.find(own) != std::string::npos) return true;
-  }
-  return false;
+  constexpr const char* kOwn[] = {"libc.so",      "libm.so",       "libdl.so",
+                                  "librt.so",     "libpthread.so", "ld-linux",
+                                  "libstdc++.so", "libgcc_s.so",   "linux-vdso"};
+  return std::ranges::any_of(kOwn,
+                             [&](const char* own) { return name.find(own) != std::string::npos; });
 }
 
 /// The shared libraries of a program, by name, as ldd lists them.

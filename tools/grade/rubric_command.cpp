@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "scene/files/file_text.h"
 #include "tools/commands.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/terminal.h"
@@ -15,7 +16,7 @@ struct RubricArguments {
 
 std::string rubric_report(const RubricArguments& arguments) {
   if (!arguments.out.empty()) return copy_rubric(arguments.name, arguments.out);
-  if (!arguments.name.empty()) return rubric_file(arguments.name);
+  if (!arguments.name.empty()) return scene::file_text(rubric_path(arguments.name));
   return rubrics_text() +
          "`raycheck rubric NAME` prints a rubric; --out FOLDER copies it with its scenes.\n";
 }

@@ -101,11 +101,9 @@ void judge(const OwnSubmission& own, const RunOptions& given) {
 }  // namespace
 
 void test_environment(const Rubric& rubric, const Layers& layers) {
-  RunOptions options;
-  options.layers = layers;
-  options.limits = program_limits(rubric);
+  RunOptions options = run_options(rubric, layers);
   options.limits.seconds = std::max(options.limits.seconds, kLeastSeconds);
-  options.build_seconds = std::max(rubric.build_seconds, kLeastSeconds);
+  options.build_seconds = std::max(options.build_seconds, kLeastSeconds);
   for (const OwnSubmission& own : kOwn) {
     if (!is_asked(own.kind, rubric)) continue;
     std::string why;

@@ -10,16 +10,16 @@ namespace raycheck::tools {
 namespace {
 
 struct TryArguments {
-  GradeOptions options = {.sandbox = Sandbox::kAvailable};
+  GradeOptions options = {.for_student = true, .sandbox = Sandbox::kAvailable};
   SandboxArguments sandbox;
 };
 
 int run_try(const TryArguments& arguments) {
   GradeOptions options = arguments.options;
   options.sandbox = sandbox_of(arguments.sandbox);
-  const TryReport report = try_submission(options, run_control("submissions"));
-  print_report(try_text(report));
-  return exit_code(report.interrupted, !report.holds(), true);
+  const ClassGrade graded = grade(options, run_control("submissions"));
+  print_report(try_text(graded));
+  return exit_code(graded.interrupted, !holds_for_students(graded), true);
 }
 
 }  // namespace

@@ -115,10 +115,10 @@ std::string of_package_json(const HandedInFiles& files) try {
 }
 
 void plan_script(const std::string& interpreter, const std::vector<std::string>& mains,
-                 BuildPlan& plan) {
+                 std::vector<BuildAttempt>& plan) {
   if (mains.empty()) return;
   const std::string program = interpreter + " " + candidate_word("./" + mains.front());
-  plan.attempts.push_back({"its sources", interpreter, "", "", program, {}, several_note(mains)});
+  plan.push_back({"its sources", interpreter, "", "", program, {}, several_note(mains)});
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ bool is_program_here(std::string_view text) {
 
 namespace {
 
-void plan_java(const HandedInFiles& files, BuildPlan& plan) {
+void plan_java(const HandedInFiles& files, std::vector<BuildAttempt>& plan) {
   const std::string started = java_main_class(files);
   if (started.empty()) return;
   constexpr const char* kClasses = "raycheck-classes";
@@ -208,10 +208,10 @@ void plan_java(const HandedInFiles& files, BuildPlan& plan) {
                               single_quoted("." + paths), shell_words(sources));
   attempt.program = java_words(kClasses, jars, started);
   attempt.notes = several_note(java_mains(files));
-  plan.attempts.push_back(std::move(attempt));
+  plan.push_back(std::move(attempt));
 }
 
-void plan_javascript(const HandedInFiles& files, BuildPlan& plan) {
+void plan_javascript(const HandedInFiles& files, std::vector<BuildAttempt>& plan) {
   std::vector<std::string> mains =
       starting(files, with_ending(files, {".js", ".mjs", ".cjs"}), {"process.argv", "Deno.args"});
   const std::string packaged = of_package_json(files);
@@ -219,14 +219,14 @@ void plan_javascript(const HandedInFiles& files, BuildPlan& plan) {
   plan_script("node", mains, plan);
 }
 
-void plan_python(const HandedInFiles& files, BuildPlan& plan) {
+void plan_python(const HandedInFiles& files, std::vector<BuildAttempt>& plan) {
   plan_script("python3",
               starting(files, with_ending(files, {".py"}),
                        {"__main__", "sys.argv", "argparse", "import argv"}),
               plan);
 }
 
-void plan_built_before(const HandedInFiles& files, BuildPlan& plan) {
+void plan_built_before(const HandedInFiles& files, std::vector<BuildAttempt>& plan) {
   std::vector<std::string> programs, scripts;
   for (const auto& [name, file] : files) {
     if (is_program_here(file.text) && name.find(".so") == std::string::npos) {
@@ -238,49 +238,39 @@ void plan_built_before(const HandedInFiles& files, BuildPlan& plan) {
   }
   sort_by_likelihood(programs);
   sort_by_likelihood(scripts);
-  if (!programs.empty()) {
-    const std::string& program = programs.front();
-    plan.attempts.push_back({"its program",
-                             "chmod +x " + program,
-                             "",
-                             "chmod +x " + single_quoted(program),
-                             candidate_word("./" + program),
-                             {},
-                             {fmt::format("{} is run as it was handed in", program)}});
-  } else if (!scripts.empty()) {
-    const std::string& script = scripts.front();
-    const bool has_interpreter = files.at(script).text.starts_with("#!");
-    plan.attempts.push_back({"its script", "chmod +x " + script, "",
-                             "chmod +x " + single_quoted(script),
-                             (has_interpreter ? "" : "sh ") + candidate_word("./" + script)});
-  }
+  const bool is_program = !programs.empty();
+  if (!is_program && scripts.empty()) return;
+  const std::string& name = (is_program ? programs : scripts).front();
+  const bool needs_shell = !is_program && !files.at(name).text.starts_with("#!");
+  plan.push_back({is_program ? "its program" : "its script", "chmod +x " + name, "",
+                  "chmod +x " + single_quoted(name),
+                  (needs_shell ? "sh " : "") + candidate_word("./" + name)});
+  if (is_program) plan.back().notes = {name + " is run as it was handed in"};
 }
 
 }  // namespace
 
-BuildPlan build_plan(const HandedInFiles& files) {
-  BuildPlan plan;
-  plan_make(files, plan);
-  plan_cmake(files, plan);
-  const std::size_t by_recipe = plan.attempts.size();
+std::vector<BuildAttempt> build_plan(const HandedInFiles& files) {
+  std::vector<BuildAttempt> plan;
+  plan_recipes(files, plan);
+  const std::size_t by_recipe = plan.size();
   for (const auto add :
        {plan_c_family, plan_java, plan_javascript, plan_python, plan_built_before}) {
-    if (plan.attempts.size() == by_recipe) add(files, plan);
+    if (plan.size() == by_recipe) add(files, plan);
   }
-  if (!plan.attempts.empty()) return plan;
+  if (!plan.empty()) return plan;
   const std::string foreign = foreign_program(files);
   if (!foreign.empty()) {
-    plan.why_none = foreign + ", and there are no sources to build it from";
-  } else if (std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); })) {
-    plan.why_none =
-        "none of its source files has a main function; a renderer needs one, and functions for "
-        "raycheck must be in the file that the rubric names, such as rays.cpp";
-  } else {
-    plan.why_none =
-        "there is nothing to build or run: no Makefile, no CMakeLists.txt, no sources in C, C++, "
-        "Java, JavaScript or Python, no program";
+    throw CandidateError(foreign + ", and there are no sources to build it from");
   }
-  return plan;
+  const bool has_source =
+      std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); });
+  throw CandidateError(
+      has_source
+          ? "none of its source files has a main function; a renderer needs one, and functions for "
+            "raycheck must be in the file that the rubric names, such as rays.cpp"
+          : "there is nothing to build or run: no Makefile, no CMakeLists.txt, no sources in C, "
+            "C++, Java, JavaScript or Python, no program");
 }
 
 }  // namespace raycheck::tools

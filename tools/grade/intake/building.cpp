@@ -81,10 +81,10 @@ std::vector<std::string> made_classes(const fs::path& folder, const std::string&
 }
 
 /// Builds in one way. Returns the command lines of the programs, the likeliest first.
-std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& submission,
-                                 const fs::path& to, const RunOptions& options) {
+std::vector<std::string> made_by(const BuildAttempt& attempt, const Intake& intake,
+                                 const fs::path& to) {
   if (attempt.words.empty()) {
-    fs::copy(submission.folder, to, fs::copy_options::recursive);
+    fs::copy(intake.sources.folder->path(), to, fs::copy_options::recursive);
     return {attempt.program};
   }
   const bool makes_program = attempt.program == kMade;
@@ -98,10 +98,10 @@ std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& sub
               file.string().find("/CMakeFiles/") == std::string::npos);
     };
   }
-  build(submission.folder, words, to, options);
+  build(intake.sources.folder->path(), words, to, intake.options);
   if (!makes_program) return {attempt.program};
   std::vector<std::string> made = made_programs(to, attempt.made);
-  if (made.empty()) made = made_classes(to, attempt.main_class, submission.files);
+  if (made.empty()) made = made_classes(to, attempt.main_class, intake.sources.files);
   if (made.empty()) throw CandidateError(fmt::format("'{}' did not make a program", attempt.shown));
   return made;
 }
@@ -117,16 +117,15 @@ std::string missing_package(const std::string& said) {
 }
 
 /// Builds in one way. If the compiler names missing headers, adds them and tries again.
-Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& to,
-               const RunOptions& options) {
+Built built_by(BuildAttempt attempt, const Intake& intake, const fs::path& to) {
   for (int repairs = 0;; ++repairs) {
     try {
-      std::vector<std::string> programs = made_by(attempt, submission, to, options);
+      std::vector<std::string> programs = made_by(attempt, intake, to);
       return {std::move(programs), attempt.words.empty() ? "" : attempt.repairs + attempt.words,
               std::move(attempt.notes), std::move(attempt.what)};
     } catch (const CandidateError& error) {
       empty_folder(to);
-      const auto missing = missing_includes(submission.files, error.output());
+      const auto missing = missing_includes(intake.sources.files, error.output());
       if (missing.empty() || repairs == kMostRepairs) {
         const std::string package = missing_package(error.output());
         if (package.empty()) throw;
@@ -142,25 +141,25 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
 }
 
 /// The index of the way to try after this one works; 0 if there is none.
-std::size_t next_way(const BuildPlan& plan, std::size_t way) {
+std::size_t next_way(const std::vector<BuildAttempt>& plan, std::size_t way) {
   do ++way;
-  while (way < plan.attempts.size() && plan.attempts[way].only_after_failure);
-  return way < plan.attempts.size() ? way : 0;
+  while (way < plan.size() && plan[way].only_after_failure);
+  return way < plan.size() ? way : 0;
 }
 
 /// Builds in the first way that works. Each way has the full time limit, so that its outcome does
 /// not depend on the time that others took.
-Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
-  const BuildPlan plan = build_plan(submission.files);
-  if (plan.attempts.empty()) throw CandidateError(plan.why_none);
+Built auto_built(const Intake& intake, std::size_t way, const fs::path& to) {
+  const RunOptions& options = intake.options;
+  const std::vector<BuildAttempt> plan = build_plan(intake.sources.files);
   const SpentTime::Time before = options.build_spent->so_far();
   std::vector<std::string> notes;
   std::string why, said, failed;
-  for (std::size_t way = submission.way; way < plan.attempts.size(); ++way) {
+  for (; way < plan.size(); ++way) {
     if (options.build_spent->seconds_since(before) >= options.build_seconds) break;
-    const BuildAttempt& attempt = plan.attempts[way];
+    const BuildAttempt& attempt = plan[way];
     try {
-      Built made = built_by(attempt, submission, to, options);
+      Built made = built_by(attempt, intake, to);
       made.next_way = next_way(plan, way);
       for (std::string& note : notes) note += " failed; built from " + attempt.what;
       std::move(made.notes.begin(), made.notes.end(), std::back_inserter(notes));
@@ -181,8 +180,8 @@ Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions
   throw CandidateError(why, said);
 }
 
-std::string words_of(const Unbuilt& submission) {
-  return boost::replace_all_copy(submission.form.build, "{file}", single_quoted(submission.file));
+std::string words_of(const FittingForm& fitting) {
+  return boost::replace_all_copy(fitting.form.build, "{file}", single_quoted(fitting.file));
 }
 
 }  // namespace
@@ -197,33 +196,30 @@ void lay_adapter(const Form& form, const fs::path& folder) {
   open_to_others(folder / form.adapter->name);
 }
 
-bool needs_building(const Unbuilt& submission) {
-  return !submission.form.build.empty() || submission.program.kind == CandidateKind::kSource;
-}
-
-Built build_submission(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
-  const auto& [form, file, program, folder, files, contents, way] = submission;
-  if (form.is_built_automatically()) return auto_built(submission, to, options);
+Built build_submission(const Intake& intake, std::size_t way, const fs::path& to) {
+  const auto& [form, file, program] = intake.fitting;
+  if (form.is_built_automatically()) return auto_built(intake, way, to);
   const bool is_source = program.kind == CandidateKind::kSource;
-  const std::string words = words_of(submission);
+  const std::string words = words_of(intake.fitting);
   const PrivateFolder made;
-  fs::path from = folder;
+  fs::path from = intake.sources.folder->path();
   if (!form.build.empty()) {
-    from = is_source ? made.path() : to;
-    build(folder, {words, words}, from, options);
-    lay_adapter(form, from);
-    open_to_others(from);
+    const fs::path built = is_source ? made.path() : to;
+    build(from, {words, words}, built, intake.options);
+    lay_adapter(form, built);
+    open_to_others(built);
+    from = built;
   }
   if (!is_source) return {{""}, words};
   std::error_code error;
   const fs::path source = fs::canonical(from / program.what, error);
   if (error) throw CandidateError(fmt::format("{}: {}", program.what, error.message()));
-  return {{compile(source, to, options).library.filename()}, words};
+  return {{compile(source, to, intake.options).library.filename()}, words};
 }
 
-std::string build_key(const Unbuilt& submission, const Layers& layers) {
-  return digest({toolchain(), layers.text(), submission.contents, words_of(submission),
-                 submission.program.text(), std::to_string(submission.way)});
+std::string build_key(const Intake& intake, std::size_t way) {
+  return digest({toolchain(), intake.options.layers.text(), intake.sources.digest,
+                 words_of(intake.fitting), intake.fitting.program.text(), std::to_string(way)});
 }
 
 }  // namespace raycheck::tools

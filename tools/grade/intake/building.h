@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,15 +33,10 @@ struct BuildAttempt {
   bool only_after_failure = false;  ///< Whether it is tried only if the attempt before it fails.
 };
 
-/// Ways to build a submission, best first; if there are none, the reason.
-struct BuildPlan {
-  std::vector<BuildAttempt> attempts;
-  std::string why_none;
-};
-
-/// Ways to build a submission, in this order: by its Makefile or CMakeLists.txt; as C and C++,
-/// Java, JavaScript or Python; as a program that is already built, or a script.
-BuildPlan build_plan(const HandedInFiles& files);
+/// Ways to build a submission, best first: by its Makefile or CMakeLists.txt; as C and C++, Java,
+/// JavaScript or Python; as a program that is already built, or a script. Errors: CandidateError if
+/// there are none.
+std::vector<BuildAttempt> build_plan(const HandedInFiles& files);
 
 /// The likeliest Java class with a main(), with its package; empty if there is none.
 std::string java_main_class(const HandedInFiles& files);
@@ -50,39 +46,53 @@ std::string java_words(const std::string& folder, const std::vector<std::string>
                        const std::string& main_class);
 
 /// Parts of build_plan(); each appends its ways to build.
-void plan_make(const HandedInFiles& files, BuildPlan& plan);
-void plan_cmake(const HandedInFiles& files, BuildPlan& plan);
-void plan_c_family(const HandedInFiles& files, BuildPlan& plan);
+void plan_recipes(const HandedInFiles& files, std::vector<BuildAttempt>& plan);
+void plan_c_family(const HandedInFiles& files, std::vector<BuildAttempt>& plan);
 
 /// is_elf(): whether a file is a Linux program or library. is_program_here(): whether it is an
 /// executable for this machine.
 bool is_elf(std::string_view text);
 bool is_program_here(std::string_view text);
 
-/// A submission before it is built.
-struct Unbuilt {
+/// A copy of a submission, which its program may read.
+struct Sources {
+  std::shared_ptr<const PrivateFolder> folder;
+  HandedInFiles files = {};
+  std::string digest = {};  ///< Of the submitted files: names, contents, executability; of folders.
+  std::vector<OpaqueFile> opaque = {};
+  std::shared_ptr<const StartingFolder> start = {};  ///< The folder in which a renderer runs.
+};
+
+/// The form that fits a submission.
+struct FittingForm {
   const Form& form;
-  const std::string& file;              ///< The file by which the form fits.
-  const CandidateSpec& program;         ///< The form's candidate, with {file} replaced by `file`.
-  const std::filesystem::path& folder;  ///< A copy of the submission, with the files below.
-  const HandedInFiles& files;
-  std::string contents;  ///< The digest of the files.
-  std::size_t way = 0;   ///< The index of the way to build it that is tried first.
+  std::string file;       ///< The file by which it fits.
+  CandidateSpec program;  ///< As in the form, with {file} replaced.
+
+  bool needs_building() const {
+    return !form.build.empty() || program.kind == CandidateKind::kSource;
+  }
+};
+
+/// Everything that a submission's programs are built from, and run with.
+struct Intake {
+  Sources sources;
+  FittingForm fitting;
+  RunOptions options;
+  const Rubric& rubric;
+  Store* store;  ///< Null: nothing is stored.
 };
 
 /// Lays a form's adapter, if it has one, into a submission's folder, in place of a file of its name
 /// and of copies of raycheck's own files for Python, JavaScript and Java.
 void lay_adapter(const Form& form, const std::filesystem::path& folder);
 
-bool needs_building(const Unbuilt& submission);
-
 /// Builds a submission in the empty folder `to`: by the form's command; if that is "auto", in the
 /// first way that works, beginning with number `way`; or as a library of functions. Errors:
 /// CandidateError with the compiler's output, or with the output of every way.
-Built build_submission(const Unbuilt& submission, const std::filesystem::path& to,
-                       const RunOptions& options);
+Built build_submission(const Intake& intake, std::size_t way, const std::filesystem::path& to);
 
 /// A digest of everything that a build depends on: files, commands, compilers, raycheck's version.
-std::string build_key(const Unbuilt& submission, const Layers& layers);
+std::string build_key(const Intake& intake, std::size_t way);
 
 }  // namespace raycheck::tools

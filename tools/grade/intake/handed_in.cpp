@@ -15,18 +15,13 @@
 
 #include "scene/invalid_input.h"
 #include "tools/external/pictures/renderer.h"
-#include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/store/store.h"
-#include "tools/report/digest.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kReadOfFile = std::size_t{4} << 20;
 
 /// Folders that archives, editors and compilers leave behind.
 constexpr std::array<std::string_view, 11> kLeftFolders = {
@@ -60,41 +55,37 @@ bool is_in(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 HandedInPaths paths_of(const fs::path& path, const SubmissionLimits& limits) {
-  const std::uintmax_t most = limits.submission_mib << 20;
   HandedInPaths found;
   auto& [files, folders] = found;
+  const auto limit = [](std::uint64_t count, std::uint64_t most, std::uint64_t unit,
+                        std::string_view what) {
+    if (count <= most * unit) return;
+    throw std::invalid_argument(fmt::format("it has more than {} {}", most, what));
+  };
+  const auto limit_bytes = [&](std::uintmax_t bytes) {
+    limit(bytes, limits.submission_mib, 1 << 20, "MiB (limits.submission_mib)");
+  };
   const fs::file_status status = fs::symlink_status(path);
-  if (fs::is_regular_file(status) && fs::file_size(path) <= most) {
+  if (fs::is_regular_file(status)) {
+    limit_bytes(fs::file_size(path));
     return {{{path.filename().string(), path}}, {}};
   }
-  if (!fs::is_directory(status)) {
-    throw std::invalid_argument(
-        fs::is_regular_file(status)
-            ? fmt::format("it has more than {} MiB (limits.submission_mib)", limits.submission_mib)
-            : "it is neither a file nor a folder");
-  }
+  if (!fs::is_directory(status)) throw std::invalid_argument("it is neither a file nor a folder");
   std::uintmax_t bytes = 0;
   for (fs::recursive_directory_iterator entry(path), end; entry != end; ++entry) {
     const fs::file_status own = entry->symlink_status();
-    if (fs::is_directory(own)) {
-      if (is_left_behind(entry->path(), true)) {
-        entry.disable_recursion_pending();
-      } else if (folders.push_back(entry->path().lexically_relative(path).string());
-                 folders.size() > limits.files) {
-        throw std::invalid_argument(
-            fmt::format("it has more than {} folders (limits.files)", limits.files));
-      }
-    }
-    if (!fs::is_regular_file(own) || is_left_behind(entry->path(), false)) continue;
-    files.emplace(entry->path().lexically_relative(path).string(), entry->path());
-    bytes += entry->file_size();
-    if (files.size() > limits.files) {
-      throw std::invalid_argument(
-          fmt::format("it has more than {} files (limits.files)", limits.files));
-    }
-    if (bytes > most) {
-      throw std::invalid_argument(
-          fmt::format("it has more than {} MiB (limits.submission_mib)", limits.submission_mib));
+    const std::string name = entry->path().lexically_relative(path).string();
+    const bool is_folder = fs::is_directory(own);
+    if (is_left_behind(entry->path(), is_folder)) {
+      if (is_folder) entry.disable_recursion_pending();
+    } else if (is_folder) {
+      folders.push_back(name);
+      limit(folders.size(), limits.files, 1, "folders (limits.files)");
+    } else if (fs::is_regular_file(own)) {
+      files.emplace(name, entry->path());
+      bytes += entry->file_size();
+      limit(files.size(), limits.files, 1, "files (limits.files)");
+      limit_bytes(bytes);
     }
   }
   std::ranges::sort(folders);
@@ -116,23 +107,6 @@ fs::path innermost(fs::path path, const std::function<bool(const std::string&)>&
     path = entries[0].path();
   }
   return path;
-}
-
-std::string digest_of(const HandedInPaths& paths) {
-  std::vector<std::string> texts = paths.folders;
-  for (const auto& [name, path] : paths.files) {
-    texts.push_back(name);
-    texts.push_back(file_digest(path));
-  }
-  return digest(texts);
-}
-
-HandedInFiles read_files(const std::map<std::string, fs::path>& paths) {
-  HandedInFiles files;
-  for (const auto& [name, path] : paths) {
-    files[name] = {file_bytes(path, kReadOfFile), is_executable(path)};
-  }
-  return files;
 }
 
 std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
@@ -264,12 +238,9 @@ bool is_taken(const std::string& path) {
   return top == kSceneFile || top == kImageFile;
 }
 
-/// Orders paths nearer to the top first, so that a folder comes before its contents.
-bool is_nearer(const std::string& a, const std::string& b) {
-  const auto key = [](const std::string& path) {
-    return std::tuple<std::ptrdiff_t, const std::string&>(std::ranges::count(path, '/'), path);
-  };
-  return key(a) < key(b);
+/// The order of paths: nearer to the top first, so that a folder comes before its contents.
+std::tuple<std::ptrdiff_t, std::string> nearness(const std::string& path) {
+  return {std::ranges::count(path, '/'), path};
 }
 
 /// Files that are not pictures, programs or archives are listed from this size on.
@@ -317,25 +288,24 @@ bool has_long_line(std::string_view text) {
   return false;
 }
 
-/// The kind of an opaque file; empty for others.
-std::string kind_of(std::string_view text, std::uintmax_t bytes) {
+/// The kind of a file by its beginning; empty for others.
+std::string_view kind_by_beginning(std::string_view text) {
   for (const Beginning& one : kBeginnings) {
-    if (text.starts_with(one.bytes)) return std::string(one.kind);
+    if (text.starts_with(one.bytes)) return one.kind;
   }
-  if (is_portable_picture(text)) return std::string(kPicture);
+  return is_portable_picture(text) ? kPicture : "";
+}
+
+/// The kind of an opaque file; empty for others.
+std::string_view kind_of(std::string_view text, std::uintmax_t bytes) {
+  const std::string_view kind = kind_by_beginning(text);
+  if (!kind.empty()) return kind;
   const bool has_picture = std::ranges::any_of(kEmbedded, [&](std::string_view begin) {
     return text.find(begin) != std::string_view::npos;
   });
   if (has_picture) return "text with a picture in it";
   if (has_long_line(text)) return "text with very long lines";
   return bytes >= kLargeFile ? "large file" : "";
-}
-
-/// Whether a file begins like a picture.
-bool is_picture(std::string_view text) {
-  return is_portable_picture(text) || std::ranges::any_of(kBeginnings, [&](const Beginning& one) {
-           return one.kind == kPicture && text.starts_with(one.bytes);
-         });
 }
 
 }  // namespace
@@ -353,13 +323,14 @@ std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
     if (!is_left_out(folder)) start.folders.push_back(folder);
   }
   for (const auto& [name, file] : files) {
-    if (is_left_out(name) || is_one_of(kPictureEndings, ending_of(name)) || is_picture(file.text))
+    if (is_left_out(name) || is_one_of(kPictureEndings, ending_of(name)) ||
+        kind_by_beginning(file.text) == kPicture)
       continue;
     names.push_back(name);
   }
-  std::ranges::sort(start.folders, is_nearer);
+  std::ranges::sort(start.folders, {}, nearness);
   start.folders.resize(std::min(start.folders.size(), kMostInRunFolder));
-  std::ranges::sort(names, is_nearer);
+  std::ranges::sort(names, {}, nearness);
   const std::set<std::string> made(start.folders.begin(), start.folders.end());
   std::size_t copied = 0;
   for (const std::string& name : names) {
@@ -383,8 +354,8 @@ std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
   std::vector<OpaqueFile> found;
   for (const auto& [name, path] : paths) {
     const std::uintmax_t bytes = fs::file_size(path);
-    const std::string kind = kind_of(files.at(name).text, bytes);
-    if (!kind.empty()) found.push_back({name, kind, bytes});
+    const std::string_view kind = kind_of(files.at(name).text, bytes);
+    if (!kind.empty()) found.push_back({name, std::string(kind), bytes});
   }
   return found;
 }

@@ -59,12 +59,6 @@ HandedInPaths paths_of(const std::filesystem::path& path, const SubmissionLimits
 std::filesystem::path innermost(std::filesystem::path path,
                                 const std::function<bool(const std::string& name)>& is_meant);
 
-/// A digest of files (names, contents, whether executable) and of folders.
-std::string digest_of(const HandedInPaths& paths);
-
-/// Reads the files' contents.
-HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& paths);
-
 /// The code cells of a Jupyter notebook as one Python module. Lines with magics (% and !) become
 /// `pass`; cells in other languages (%%bash) are left out. Empty if the text is not a notebook.
 std::optional<std::string> notebook_module(std::string_view text);

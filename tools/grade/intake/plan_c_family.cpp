@@ -90,8 +90,7 @@ std::string top_file(const HandedInFiles& files, const std::vector<std::string>&
     if (is_named && !is_generated && !vendored.has(name) && !is_aside(name)) found.push_back(name);
   }
   if (found.empty()) return "";
-  std::ranges::stable_sort(
-      found, [&](const std::string& a, const std::string& b) { return depth(a) < depth(b); });
+  std::ranges::stable_sort(found, {}, depth);
   const std::string folder = folder_of(found.front());
   for (const std::string& other : found) {
     if (depth(other) == depth(found.front()) && folder_of(other) != folder) return "";
@@ -197,37 +196,34 @@ std::vector<std::string> reached_from(const std::string& main, const HandedInFil
 
 }  // namespace
 
-void plan_make(const HandedInFiles& files, BuildPlan& plan) {
+void plan_recipes(const HandedInFiles& files, std::vector<BuildAttempt>& plan) {
   const CSources c(files);
-  const std::string path =
+  const std::string repairs = removal_words(files) + repair_words(c.repairs);
+  const auto folder = [](const std::string& path) {
+    return folder_of(path).empty() ? "." : folder_of(path);
+  };
+  const std::string make =
       top_file(files, {"GNUmakefile", "makefile", "Makefile", "MAKEFILE"}, c.vendored);
-  if (path.empty()) return;
-  const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
-  plan.attempts.push_back({"its " + path, folder == "." ? "make" : "make -C " + folder,
-                           removal_words(files) + repair_words(c.repairs),
-                           c.search_path() + "cd " + single_quoted(folder) + " && make -f " +
-                               single_quoted(base_of(path)),
-                           std::string(kMade), made_by(files.at(path).text), c.notes(),
-                           java_main_class(files)});
+  if (!make.empty()) {
+    plan.push_back(
+        {"its " + make, folder(make) == "." ? "make" : "make -C " + folder(make), repairs,
+         c.search_path() + "cd " + single_quoted(folder(make)) + " && make -f " +
+             single_quoted(base_of(make)),
+         std::string(kMade), made_by(files.at(make).text), c.notes(), java_main_class(files)});
+  }
+  const std::string cmake = top_file(files, {"CMakeLists.txt"}, c.vendored);
+  if (cmake.empty()) return;
+  plan.push_back({"its " + cmake,
+                  "cmake",
+                  repairs,
+                  c.search_path() + "cmake -S " + single_quoted(folder(cmake)) +
+                      " -B raycheck-build -DCMAKE_BUILD_TYPE=Release && make -C raycheck-build",
+                  std::string(kMade),
+                  {},
+                  c.notes()});
 }
 
-void plan_cmake(const HandedInFiles& files, BuildPlan& plan) {
-  const CSources c(files);
-  const std::string path = top_file(files, {"CMakeLists.txt"}, c.vendored);
-  if (path.empty()) return;
-  const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
-  plan.attempts.push_back(
-      {"its " + path,
-       "cmake",
-       removal_words(files) + repair_words(c.repairs),
-       c.search_path() + "cmake -S " + single_quoted(folder) +
-           " -B raycheck-build -DCMAKE_BUILD_TYPE=Release && make -C raycheck-build",
-       std::string(kMade),
-       {},
-       c.notes()});
-}
-
-void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {
+void plan_c_family(const HandedInFiles& files, std::vector<BuildAttempt>& plan) {
   const CSources c(files);
   std::set<std::string> included;
   for (const auto& [name, file] : files) {
@@ -250,16 +246,16 @@ void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {
     std::vector<std::string> sources = others;
     sources.insert(sources.begin(), main);
     const std::vector<std::string> reached = reached_from(main, files, others);
-    const std::size_t first = plan.attempts.size();
-    plan.attempts.push_back(compiled(files, c, sources));
+    const std::size_t first = plan.size();
+    plan.push_back(compiled(files, c, sources));
     if (reached.size() < sources.size()) {
-      plan.attempts.push_back(compiled(files, c, reached));
-      plan.attempts.back().only_after_failure = true;
-      plan.attempts.back().notes.push_back("only files whose headers are included are compiled");
+      plan.push_back(compiled(files, c, reached));
+      plan.back().only_after_failure = true;
+      plan.back().notes.push_back("only files whose headers are included are compiled");
     }
     if (count == 1) continue;
-    for (std::size_t k = first; k < plan.attempts.size(); ++k) {
-      plan.attempts[k].notes.push_back(
+    for (std::size_t k = first; k < plan.size(); ++k) {
+      plan[k].notes.push_back(
           fmt::format("{} of its files have a main function; that of {} is used", count, main));
     }
   }

@@ -13,9 +13,9 @@
 
 #include "contract/declarations.h"
 #include "scene/text.h"
+#include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric.h"
 #include "tools/report/digest.h"
 
 namespace raycheck::tools {
@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 
 /// If a build shows no spheres, at most this many other ways to build it are tried.
 constexpr int kMostFurtherBuilds = 2;
+
+constexpr std::size_t kReadOfFile = std::size_t{4} << 20;
 
 [[noreturn]] void refuse(const std::string& why) { throw SubmissionError({why, ""}, {}); }
 
@@ -45,15 +47,6 @@ bool means_folder(const Form& form, const std::string& name) {
   return false;
 }
 
-/// A copy of a submission, which its program may read.
-struct Sources {
-  std::shared_ptr<const PrivateFolder> folder;
-  HandedInFiles files;
-  std::string digest;  ///< The digest of the submitted files.
-  std::vector<OpaqueFile> opaque;
-  std::shared_ptr<const StartingFolder> start;  ///< The folder in which a renderer runs.
-};
-
 /// Copies a submission; adds a Python module for each Jupyter notebook.
 Sources copied(const Submission& submission, const Rubric& rubric) {
   const fs::path top = innermost(submission.path, [&](const std::string& name) {
@@ -62,14 +55,18 @@ Sources copied(const Submission& submission, const Rubric& rubric) {
   });
   HandedInPaths paths = paths_of(top, rubric.limits);
   const auto folder = std::make_shared<const PrivateFolder>();
+  Sources sources{.folder = folder};
+  std::vector<std::string> digested = paths.folders;
+  for (const std::string& name : paths.folders) fs::create_directories(folder->path() / name);
   for (auto& [name, path] : paths.files) {
     const fs::path to = folder->path() / name;
     fs::create_directories(to.parent_path());
     fs::copy_file(path, to);
     path = to;
+    sources.files[name] = {file_bytes(path, kReadOfFile), is_executable(path)};
+    digested.insert(digested.end(), {name, file_digest(path)});
   }
-  for (const std::string& name : paths.folders) fs::create_directories(folder->path() / name);
-  Sources sources{folder, read_files(paths.files), digest_of(paths), {}, {}};
+  sources.digest = digest(digested);
   sources.opaque = opaque_files(sources.files, paths.files);
   for (const auto& [name, path] : paths.files) {
     const std::string module = fs::path(name).replace_extension(".py").string();
@@ -83,13 +80,6 @@ Sources copied(const Submission& submission, const Rubric& rubric) {
   open_to_others(folder->path());
   return sources;
 }
-
-/// The form that fits a submission.
-struct FittingForm {
-  const Form& form;
-  std::string file;       ///< The file by which it fits.
-  CandidateSpec program;  ///< As in the form, with {file} replaced.
-};
 
 FittingForm form_of(const fs::path& folder, const Rubric& rubric) {
   std::set<std::string> names;
@@ -110,20 +100,6 @@ FittingForm form_of(const fs::path& folder, const Rubric& rubric) {
                        : fmt::format("it has none of the required files: {}", asked));
 }
 
-RunOptions run_options(const Rubric& rubric, const Confinement& confinement) {
-  RunOptions options;
-  options.layers = confinement.layers;
-  options.surroundings = confinement.surroundings;
-  options.limits = program_limits(rubric);
-  options.build_seconds = rubric.build_seconds;
-  options.driver = rubric.driver.form;
-  options.build_seconds_name = "build_seconds";
-  options.bounds = rubric.bounds;
-  options.excused_image_change = rubric.image_change;
-  options.image_threshold = rubric.t_threshold;
-  return options;
-}
-
 /// A digest of everything that a program's answers depend on, except the requests.
 std::string answers_key(const std::string& build, const CandidateSpec& program,
                         const Limits& limits) {
@@ -131,15 +107,6 @@ std::string answers_key(const std::string& build, const CandidateSpec& program,
                  fmt::format("{} {} {} {} {} {}", limits.seconds, limits.cpu_seconds, limits.memory,
                              limits.file, limits.files, limits.processes)});
 }
-
-/// Everything that a submission's programs are built from, and run with.
-struct Intake {
-  Sources sources;
-  FittingForm fitting;
-  RunOptions options;
-  const Rubric& rubric;
-  Store* store;  ///< Null: nothing is stored.
-};
 
 /// A submission as built in one way.
 struct Build {
@@ -153,16 +120,13 @@ struct Build {
 
 /// Builds in the way after `last`. Errors: CandidateError.
 Build next_build(const Intake& intake, const Build& last) {
-  const auto& [form, file, program] = intake.fitting;
-  const Sources& sources = intake.sources;
-  const Unbuilt unbuilt{form,          file,           program,           sources.folder->path(),
-                        sources.files, sources.digest, last.made.next_way};
-  Build build{.folder = sources.folder,
-              .key = build_key(unbuilt, intake.options.layers),
+  const std::size_t way = last.made.next_way;
+  Build build{.folder = intake.sources.folder,
+              .key = build_key(intake, way),
               .draw_nothing = last.draw_nothing};
-  if (needs_building(unbuilt)) {
+  if (intake.fitting.needs_building()) {
     const auto to = std::make_shared<const PrivateFolder>();
-    const auto make = [&] { return build_submission(unbuilt, to->path(), intake.options); };
+    const auto make = [&] { return build_submission(intake, way, to->path()); };
     build.made = intake.store != nullptr
                      ? intake.store->built(build.key, to->path(), make, build.is_stored)
                      : make();
@@ -257,6 +221,7 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
                    ? compiled_external(program, options.folder / by, options)
                    : find_external(program, options);
     found.build_seconds = build.seconds;
+    found.functions = external.introduction.functions;
     // Nor may it choose how it is called: rows for columns, or directions that are not unit, are
     // what items are about, or tolerances. An adapter is the instructor's.
     contract::Declarations& declared = external.introduction.declared;
@@ -291,9 +256,9 @@ SubmissionError as_misnamed(const SubmissionError& error, const Intake& intake) 
       return {
           {fmt::format("{} uses {}, but this rubric takes functions only from {}: rename it; as "
                        "a renderer, {}",
-                       name, used, scene::joined(names, ", "), error.refusal().why),
-           error.refusal().said},
-          error.found()};
+                       name, used, scene::joined(names, ", "), error.refusal.why),
+           error.refusal.said},
+          error.found};
     }
   }
   return error;
@@ -332,50 +297,34 @@ RunnableSubmission best_program(const Intake& intake, const properties::RunContr
 
 }  // namespace
 
-std::vector<std::string> Preparation::all_notes() const {
-  std::vector<std::string> all;
-  for (const std::string& note : notes) all.push_back(plain_text(note));
-  if (!dry_run) return all;
-  for (const std::string& note : dry_run->notes) all.push_back(plain_text(note));
-  return all;
+RunOptions run_options(const Rubric& rubric, const Layers& layers) {
+  RunOptions options;
+  options.layers = layers;
+  options.limits.seconds = rubric.reply_seconds;
+  options.limits.memory = rubric.limits.memory_mib << 20;
+  options.limits.file = rubric.limits.file_mib << 20;
+  options.limits.processes = rubric.limits.processes;
+  options.limits.disk = rubric.limits.disk_mib << 20;
+  options.limits.names = {"reply_seconds", "file_mib", "memory_mib", "processes", "disk_mib"};
+  options.build_seconds = rubric.build_seconds;
+  options.build_seconds_name = "build_seconds";
+  options.driver = rubric.driver.form;
+  options.bounds = rubric.bounds;
+  options.excused_image_change = rubric.image_change;
+  options.image_threshold = rubric.t_threshold;
+  return options;
 }
 
-properties::RunControl until_blamed(const properties::RunControl& control,
-                                    const Surroundings& surroundings) {
-  properties::RunControl until = control;
-  until.interrupted = [&control, &surroundings] {
-    return control.interrupted() || !surroundings.cause().empty();
-  };
-  return until;
-}
-
-Refusal outside_refusal(const std::string& cause) {
-  return {"for a reason outside the submission: " + cause, ""};
-}
-
-Limits program_limits(const Rubric& rubric) {
-  Limits limits;
-  limits.seconds = rubric.reply_seconds;
-  limits.memory = rubric.limits.memory_mib << 20;
-  limits.file = rubric.limits.file_mib << 20;
-  limits.processes = rubric.limits.processes;
-  limits.disk = rubric.limits.disk_mib << 20;
-  limits.names = {"reply_seconds", "file_mib", "memory_mib", "processes", "disk_mib"};
-  return limits;
-}
-
-RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
-                           const Confinement& confinement, const properties::RunControl& control,
-                           Store* store) try {
+RunnableSubmission prepare(const Submission& submission, const Rubric& rubric, RunOptions options,
+                           const properties::RunControl& control, Store* store) try {
   Sources sources = copied(submission, rubric);
   FittingForm fitting = form_of(sources.folder->path(), rubric);
   if (const auto& adapter = fitting.form.adapter) {
     sources.digest = digest({sources.digest, adapter->name, adapter->text});
     lay_adapter(fitting.form, sources.folder->path());
   }
-  return best_program(
-      {std::move(sources), std::move(fitting), run_options(rubric, confinement), rubric, store},
-      control);
+  return best_program({std::move(sources), std::move(fitting), std::move(options), rubric, store},
+                      control);
 } catch (const SubmissionError&) {
   throw;
 } catch (const fs::filesystem_error& error) {

@@ -23,16 +23,6 @@ constexpr std::array<std::string_view, 5> kCpp = {".cpp", ".cc", ".cxx", ".c++",
 constexpr std::array<std::string_view, 7> kHeaderEndings = {".h",   ".hh",  ".hpp", ".hxx",
                                                             ".h++", ".ipp", ".inl"};
 
-/// The components of a path's folder, in lower case.
-std::vector<std::string> folders_of(const std::string& path) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0, slash = 0; (slash = path.find('/', at)) != std::string::npos;
-       at = slash + 1) {
-    parts.push_back(boost::to_lower_copy(path.substr(at, slash - at)));
-  }
-  return parts;
-}
-
 }  // namespace
 
 std::string shell_words(const std::vector<std::string>& names) {
@@ -175,7 +165,9 @@ Vendored vendored_in(const HandedInFiles& files) {
 bool is_aside(const std::string& path) {
   constexpr std::array<std::string_view, 9> kAside = {
       "test", "tests", "example", "examples", "node_modules", "old", "backup", "doc", "docs"};
-  for (const std::string& folder : folders_of(path)) {
+  for (const std::filesystem::path& one :
+       std::filesystem::path(boost::to_lower_copy(folder_of(path)))) {
+    const std::string folder = one.string();
     if (is_one_of(kAside, folder) || folder == "build" || folder.starts_with("build-") ||
         folder.starts_with("build_") || folder.starts_with("cmake-build")) {
       return true;
@@ -205,8 +197,7 @@ void sort_by_likelihood(std::vector<std::string>& names) {
   const auto key = [](const std::string& name) {
     return std::tuple(likelihood_rank(name), std::ranges::count(name, '/'), name);
   };
-  std::ranges::sort(names,
-                    [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+  std::ranges::sort(names, {}, key);
 }
 
 namespace {

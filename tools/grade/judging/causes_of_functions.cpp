@@ -32,29 +32,25 @@ std::vector<Case> cases_of(const ItemTrial& trial) {
 
 /// The causes; empty if the candidate fails, which the verdict reports.
 std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candidate& candidate) {
-  try {
-    return properties::answer_causes(cases, candidate);
-  } catch (const properties::NoAnswer&) {
-    return {};
-  }
+  return answered([&] { return properties::answer_causes(cases, candidate); })
+      .value_or(std::vector<AnswerCause>());
 }
 
 /// Whether an alternative of a cause is also an alternative of one of `causes`.
 bool is_among(const Explanation& alternative, const AnswerCause& cause,
               const std::vector<AnswerCause>& causes) {
-  return std::any_of(causes.begin(), causes.end(), [&](const AnswerCause& other) {
+  return std::ranges::any_of(causes, [&](const AnswerCause& other) {
     return other.roundings == cause.roundings &&
-           std::any_of(other.alternatives.begin(), other.alternatives.end(),
-                       [&](const Explanation& one) {
-                         return cause.roundings || one.sentence == alternative.sentence;
-                       });
+           std::ranges::any_of(other.alternatives, [&](const Explanation& one) {
+             return cause.roundings || one.sentence == alternative.sentence;
+           });
   });
 }
 
 /// The cause "roundings" among the causes of all items, or null. It is reported once.
 const AnswerCause* roundings_of(const std::vector<AnswerCause>& causes) {
-  const auto found = std::find_if(causes.begin(), causes.end(),
-                                  [](const AnswerCause& one) { return one.roundings.has_value(); });
+  const auto found = std::ranges::find_if(
+      causes, [](const AnswerCause& one) { return one.roundings.has_value(); });
   return found == causes.end() ? nullptr : &*found;
 }
 
@@ -78,25 +74,17 @@ bool are_alike(const scene::Ray& a, const scene::Ray& b) {
           std::max({apart(D.x, E.x), apart(D.y, E.y), apart(D.z, E.z)}) <= allowed);
 }
 
-/// The candidate's rays; empty if it fails.
-std::optional<std::vector<scene::Ray>> rays_of(Trial& trial) {
-  try {
-    return trial.rays();
-  } catch (const properties::NoAnswer&) {
-    return {};
-  }
-}
-
 /// Whether a candidate's rays equal those of a mistake, so that nothing else is wrong with them.
 /// For degenerate directions of the mistake, the candidate may also fail.
 bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& cases,
                    const Candidate& candidate) {
   Candidate mistaken = mistake.candidate;
   mistaken.declared = candidate.declared;
-  return std::all_of(cases.begin(), cases.end(), [&](const Case& one) {
+  return std::ranges::all_of(cases, [&](const Case& one) {
     Trial its(one, candidate), made(one, mistaken);
     if (!one.scene.camera || !its.has_rays()) return true;
-    const auto its_rays = rays_of(its), made_rays = rays_of(made);
+    const auto its_rays = answered([&] { return its.rays(); });
+    const auto made_rays = answered([&] { return made.rays(); });
     if (!made_rays) return false;
     if (!its_rays) {
       return std::all_of(made_rays->begin(), made_rays->end(),

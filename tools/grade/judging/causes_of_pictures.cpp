@@ -18,8 +18,8 @@ using properties::Mistake;
 using properties::ShownPicture;
 
 bool shows_something(const ImageAnswer& image) {
-  return std::any_of(image.begin(), image.end(), [](auto& sphere) { return sphere.has_value(); }) &&
-         std::any_of(image.begin(), image.end(), [](auto& sphere) { return !sphere; });
+  return std::ranges::any_of(image, [](auto& sphere) { return sphere.has_value(); }) &&
+         std::ranges::any_of(image, [](auto& sphere) { return !sphere; });
 }
 
 /// Whether the picture has the right size.
@@ -130,19 +130,18 @@ Reading reading_of(const Mistake& mistake) {
   const std::array<double, 4> bounds = {given.left, given.right, given.bottom, given.top};
   const std::array<double, 4> taken = {read.left, read.right, read.bottom, read.top};
   if (taken == bounds) return {read.near == -given.near, false};
-  return {false, std::is_permutation(taken.begin(), taken.end(), bounds.begin())};
+  return {false, std::ranges::is_permutation(taken, bounds)};
 }
 
 /// Whether correct code for another form of driver files might draw the same pictures. Dialects
 /// differ in the sign of d and in the order of the bounds.
 bool is_of_driver_files(const Causes& causes) {
-  return std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
-                     [](const Fault& fault) {
-                       return std::any_of(fault.begin(), fault.end(), [](const Mistake* mistake) {
-                         const Reading reading = reading_of(*mistake);
-                         return reading.turns_near || reading.orders_bounds;
-                       });
-                     });
+  return std::ranges::any_of(causes.alternatives, [](const Fault& fault) {
+    return std::ranges::any_of(fault, [](const Mistake* mistake) {
+      const Reading reading = reading_of(*mistake);
+      return reading.turns_near || reading.orders_bounds;
+    });
+  });
 }
 
 /// A near with the wrong sign in one dialect is right in the other, which orders the bounds
@@ -229,7 +228,7 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   std::vector<Fault> alternatives = causes.alternatives;
   if (cause.fault.size() < fault.size()) {
     alternatives.clear();
-    const auto place = std::find(fault.begin(), fault.end(), cause.fault.front()) - fault.begin();
+    const auto place = std::ranges::find(fault, cause.fault.front()) - fault.begin();
     for (const Mistake* one :
          properties::mistakes_at(static_cast<std::size_t>(place), causes.alternatives)) {
       alternatives.push_back({one});
@@ -264,11 +263,10 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
     ItemCause& cause = item_causes[k];
     const FailedHow how = failed_how(trial);
     cause.is_all = true;
-    const bool wrong_by_shape =
-        how.wrong && shape.of_wrong_ones &&
-        std::all_of(trial.failed.begin(), trial.failed.end(), [&](const FailedCase& one) {
-          return shape.cause->is(one.item_case.the_case.scene);
-        });
+    const bool wrong_by_shape = how.wrong && shape.of_wrong_ones &&
+                                std::ranges::all_of(trial.failed, [&](const FailedCase& one) {
+                                  return shape.cause->is(one.item_case.the_case.scene);
+                                });
     if (how.wrong && !wrong_by_shape) {
       cause = name_cause(causes, is_shown, masks_only(rubric.items[k]), trial);
     }
@@ -283,8 +281,7 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
     if (how.failed || wrong_by_shape) {
       // The shape must also hold for all scenes that were skipped.
       const auto& others = trial.not_asked;
-      cause.is_all =
-          cause.is_all && shape.cause && std::all_of(others.begin(), others.end(), shape.cause->is);
+      cause.is_all = cause.is_all && shape.cause && std::ranges::all_of(others, shape.cause->is);
       if (shape.cause) add(OtherCause::kShapeOfScenes, shape.cause->sentence);
     }
   }

@@ -31,16 +31,10 @@ constexpr int kTriesOfPictures = 60;
 /// several steps decide: the discriminant, the root and its sign.
 std::optional<std::string> step_that_gives(properties::Quantity quantity) {
   using properties::Quantity;
-  switch (quantity) {
-    case Quantity::kUnitDefect:
-      return std::string(info(Quantity::kDirection).name);
-    case Quantity::kClass:
-      return {};
-    case Quantity::kParameter:
-      return std::string(info(Quantity::kRoot).name);
-    default:
-      return std::string(info(quantity).name);
-  }
+  if (quantity == Quantity::kClass) return {};
+  if (quantity == Quantity::kUnitDefect) quantity = Quantity::kDirection;
+  if (quantity == Quantity::kParameter) quantity = Quantity::kRoot;
+  return std::string(info(quantity).name);
 }
 
 /// Whether two cameras have the same sign of near and the same order of bounds, on which programs
@@ -57,12 +51,8 @@ bool is_alike(const scene::Scene& now, const scene::Scene& before) {
 bool is_made_by(const properties::Fault& fault, const Case& the_case, const Candidate& candidate) {
   scene::Scene scene = the_case.scene;
   scene.conventions = candidate.declared.over(scene.conventions);
-  try {
-    return properties::count_otherwise(candidate.image(scene, scene.conventions),
-                                       properties::predicted(fault, scene)) <= 1;
-  } catch (const properties::NoAnswer&) {
-    return false;
-  }
+  const auto image = answered([&] { return candidate.image(scene, scene.conventions); });
+  return image && properties::count_otherwise(*image, properties::predicted(fault, scene)) <= 1;
 }
 
 /// The case reduced to the ray or pixel, and the sphere, of one place.
@@ -80,16 +70,6 @@ std::optional<std::string> first_wrong_step(Trial& trial) {
     if (!apply(law, trial).holds()) return step_that_gives(law.quantity);
   }
   return {};
-}
-
-/// The candidate's answer; empty if it gives none.
-template <class Ask>
-auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
-  try {
-    return ask();
-  } catch (const properties::NoAnswer&) {
-    return {};
-  }
 }
 
 /// The candidate's answers about one ray of a trial, up to the stage of the broken law.
@@ -121,7 +101,7 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
   if (!trial.scene().camera) return ray_answers(trial, place.ray, broken);
   if (!place.pixel) return ray_answers(trial, std::size_t{0}, broken);
   const auto& pixels = trial.pixels();
-  const auto known = std::find(pixels.begin(), pixels.end(), *place.pixel);
+  const auto known = std::ranges::find(pixels, *place.pixel);
   if (known != pixels.end()) {
     return ray_answers(trial, static_cast<std::size_t>(known - pixels.begin()), broken);
   }
@@ -135,26 +115,15 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
 std::optional<ComparedPictures> compared_pictures(const Case& the_case,
                                                   const GradedCandidate& graded) {
   const scene::Conventions& conventions = the_case.scene.conventions;
-  ComparedPictures pictures;
-  try {
-    pictures.got = graded.candidate.image(the_case.scene, conventions);
-  } catch (const properties::NoAnswer&) {
-    return {};
-  }
-  pictures.exact = properties::exact_image(the_case.scene, conventions);
+  auto got = answered([&] { return graded.candidate.image(the_case.scene, conventions); });
+  if (!got) return {};
+  ComparedPictures pictures{*std::move(got), properties::exact_image(the_case.scene, conventions)};
   if (pictures.got.size() != pictures.exact->size()) return {};
   if (graded.masks_only) pictures.exact = mask_of(*std::move(pictures.exact));
   return pictures;
 }
 
 }  // namespace
-
-WrongAnswer wrong_answer(const Discrepancy& d) {
-  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong,    d.symbol, d.got,
-                     d.exact,    {},      d.condition,        d.precision};
-  if (d.wrong == Wrong::kNot) answer.error = d.error;
-  return answer;
-}
 
 bool keeps_state(const FailedCase& failed, const GradedCandidate& graded) {
   if (failed.failure || !graded.candidate.restart) return false;
@@ -212,7 +181,7 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
     if (d.wrong != Wrong::kFailed) d = verdict.worst(1).front();
   }
   FailingCase failing{
-      std::string(first.broken->name), first.item_case.origin, {}, wrong_answer(d), the_case};
+      .origin = first.item_case.origin, .step = {}, .answer = d, .the_case = the_case};
   failing.the_case.scene.conventions = trial.conventions();
   if (graded.pictures) {
     failing.the_case.pixels.clear();
@@ -222,6 +191,63 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
     failing.answers = ray_answers(trial, d.place, *first.broken);
   }
   return failing;
+}
+
+namespace {
+
+using Tried = std::vector<properties::TriedScene>;
+
+/// The property ("wider than high", "several spheres") that exactly those scenes have for which no
+/// picture was made, if all items together determine it.
+std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTrial>& trials) {
+  Tried tried;
+  for (const ItemTrial& trial : trials) {
+    for (const properties::ShownPicture& one : trial.pictures) tried.push_back({&one.scene, false});
+    for (const FailedCase& one : trial.failed) {
+      if (!one.shown) tried.push_back({&one.item_case.the_case.scene, true});
+    }
+  }
+  return properties::shape_cause(tried);
+}
+
+/// The property of the failing scenes, if all failing pictures are not square. Right pictures that
+/// are not square may be right by luck; they must be fewer than the failing ones, and do not count.
+std::optional<properties::ShapeCause> oblong_failures(const Rubric& rubric,
+                                                      const std::vector<ItemTrial>& trials,
+                                                      bool with_bonus) {
+  const auto is_oblong = [](const properties::TriedScene& one) {
+    return one.scene->camera->width != one.scene->camera->height;
+  };
+  Tried failed, right;
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    if (rubric.items[k].bonus && !with_bonus) continue;
+    Tried of_item;
+    for (const FailedCase& one : trials[k].failed) {
+      of_item.push_back({&one.item_case.the_case.scene, true});
+    }
+    failed.insert(failed.end(), of_item.begin(), of_item.end());
+    for (const properties::ShownPicture& one : trials[k].pictures) {
+      const bool is_failed = std::ranges::any_of(of_item, [&](const auto& other) {
+        return other.scene->camera == one.scene.camera && other.scene->spheres == one.scene.spheres;
+      });
+      if (!is_failed) right.push_back({&one.scene, false});
+    }
+  }
+  if (!std::ranges::all_of(failed, is_oblong)) return {};
+  if (std::erase_if(right, is_oblong) >= failed.size()) return {};
+  failed.insert(failed.end(), right.begin(), right.end());
+  return properties::shape_cause(failed);
+}
+
+}  // namespace
+
+ShapeOfFailures shape_of_failures(const Rubric& rubric, const std::vector<ItemTrial>& trials,
+                                  bool are_unexplained) {
+  for (const bool with_bonus : {true, false}) {
+    if (!are_unexplained) break;
+    if (const auto cause = oblong_failures(rubric, trials, with_bonus)) return {cause, true};
+  }
+  return {without_picture(trials), false};
 }
 
 }  // namespace raycheck::tools

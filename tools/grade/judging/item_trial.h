@@ -95,8 +95,15 @@ struct ItemTrial {
 ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCandidate& graded,
                    const std::function<ItemReason()>& reason_to_stop, ItemGrade grade);
 
-/// The numbers of a discrepancy, without its law.
-WrongAnswer wrong_answer(const properties::Discrepancy& discrepancy);
+/// The candidate's answer; empty if it gives none.
+template <class Ask>
+auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
+  try {
+    return ask();
+  } catch (const properties::NoAnswer&) {
+    return {};
+  }
+}
 
 /// The simplest case found that fails as `first` does: by the same law, in the same quantity and
 /// way, with the same message if the candidate failed entirely, and, for a renderer whose mistakes
@@ -149,11 +156,5 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric,
                                            const properties::Candidate& candidate,
                                            std::vector<ItemTrial>& trials);
-
-/// Charges each known cause to one item only: of the items that fail by it, the first that asks
-/// about the step of the mistake, or else the first. Items that fail only by causes charged
-/// elsewhere follow.
-void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
-                 std::vector<ItemTrial>& trials);
 
 }  // namespace raycheck::tools

@@ -19,25 +19,6 @@ namespace raycheck::tools {
 using properties::Mistake;
 using properties::Quantity;
 
-namespace {
-
-/// A cause that is charged to one item.
-using Charge = std::variant<const Mistake*, OtherCause>;
-
-std::vector<Charge> charges(const ItemCause& cause) {
-  std::vector<Charge> all(cause.fault.begin(), cause.fault.end());
-  all.insert(all.end(), cause.others.begin(), cause.others.end());
-  return all;
-}
-
-/// Whether a mistake is made at the step about which an item asks.
-bool is_of_step(const Charge& charge, const Item& item) {
-  const auto* const mistake = std::get_if<const Mistake*>(&charge);
-  return mistake != nullptr && step_of(item) == (*mistake)->step;
-}
-
-}  // namespace
-
 std::optional<properties::Step> step_of(const Item& item) {
   if (!item.functions) return {};
   switch (item.functions->laws.front()->quantity) {
@@ -56,6 +37,29 @@ std::optional<properties::Step> step_of(const Item& item) {
   }
 }
 
+namespace {
+
+using properties::Candidate;
+using properties::Fault;
+
+/// A cause that is charged to one item.
+using Charge = std::variant<const Mistake*, OtherCause>;
+
+std::vector<Charge> charges(const ItemCause& cause) {
+  std::vector<Charge> all(cause.fault.begin(), cause.fault.end());
+  all.insert(all.end(), cause.others.begin(), cause.others.end());
+  return all;
+}
+
+/// Whether a mistake is made at the step about which an item asks.
+bool is_of_step(const Charge& charge, const Item& item) {
+  const auto* const mistake = std::get_if<const Mistake*>(&charge);
+  return mistake != nullptr && step_of(item) == (*mistake)->step;
+}
+
+/// Charges each known cause to one item only: of the items that fail by it, the first that asks
+/// about the step of the mistake, or else the first. Items that fail only by causes charged
+/// elsewhere follow.
 void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
                  std::vector<ItemTrial>& trials) {
   std::map<Charge, std::size_t> charged;
@@ -70,21 +74,16 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
     ItemGrade& grade = trials[k].grade;
     const std::vector<Charge> its = charges(causes[k]);
     // Only right answers get bonus points.
-    const bool follows = grade.state == ItemState::kFails && !rubric.items[k].bonus &&
-                         causes[k].is_all && !its.empty() &&
-                         std::all_of(its.begin(), its.end(),
-                                     [&](const Charge& one) { return charged.at(one) != k; });
+    const bool follows =
+        grade.state == ItemState::kFails && !rubric.items[k].bonus && causes[k].is_all &&
+        !its.empty() &&
+        std::ranges::all_of(its, [&](const Charge& one) { return charged.at(one) != k; });
     if (!follows) continue;
     grade.state = ItemState::kFollows;
     grade.reason = {.kind = ItemReason::Kind::kFollows,
                     .item = rubric.items[charged.at(its.front())].name};
   }
 }
-
-namespace {
-
-using properties::Candidate;
-using properties::Fault;
 
 /// The candidate with its pictures reduced to masks.
 Candidate masked(Candidate candidate) {
@@ -216,8 +215,8 @@ class Judge {
                                           ItemGrade& grade) {
     if (grade.state == ItemState::kNotAsked) return;
     for (const std::string& needed : item.needs) {
-      const auto found = std::find_if(before.begin(), before.end(),
-                                      [&](const ItemGrade& other) { return other.name == needed; });
+      const auto found = std::ranges::find_if(
+          before, [&](const ItemGrade& other) { return other.name == needed; });
       if (found->state == ItemState::kNotAsked || found->score >= found->points) continue;
       grade = unjudged(item, grade.pictures);
       grade.state = ItemState::kLeftOut;
@@ -235,7 +234,7 @@ class Judge {
       const FailedCase& first = trials[k].failed.front();
       if (!keeps_state(first, candidate_for(rubric_.items[k]))) continue;
       trials[k].grade.mistakes = {{{std::string(properties::kKeepsState)}}};
-      trials[k].grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
+      trials[k].grade.first_wrong = {first.item_case.origin, first.discrepancy};
       trials[k].failed.clear();
       is_kept = true;
     }
@@ -247,7 +246,7 @@ class Judge {
     if (trial.failed.empty()) return;
     const FailedCase& first = trial.failed.front();
     const GradedCandidate graded = candidate_for(rubric_.items[index]);
-    trial.grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
+    trial.grade.first_wrong = {first.item_case.origin, first.discrepancy};
     const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
     try {
       const properties::Case smallest = simplest(first, graded, fault, is_late);

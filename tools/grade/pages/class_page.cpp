@@ -55,14 +55,30 @@ std::string about(const Item& item) {
   return "<tr class=\"about\"><td colspan=\"5\">" + html + "</td></tr>\n";
 }
 
+/// An item, and the numbers of judged submissions of each outcome.
+struct ItemRow {
+  const Item* item;
+  std::size_t asked = 0, failing = 0;
+  std::size_t left_out = 0;  ///< Left out, or not judged because the time was up.
+};
+
 std::string failing_items(const ClassGrade& graded) {
-  std::vector<ItemStatistics> rows = item_statistics(graded);
-  std::ranges::stable_sort(rows, std::greater{}, &ItemStatistics::failing);
+  std::vector<ItemRow> rows;
+  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
+    ItemRow& row = rows.emplace_back(ItemRow{&graded.rubric.items[k]});
+    for (const SubmissionGrade* grade : submissions_that(graded, true)) {
+      const ItemState state = grade->items[k].state;
+      row.asked += state != ItemState::kNotAsked ? 1 : 0;
+      row.failing += state == ItemState::kFails ? 1 : 0;
+      row.left_out += state == ItemState::kLeftOut || state == ItemState::kNotJudged ? 1 : 0;
+    }
+  }
+  std::ranges::stable_sort(rows, std::greater{}, &ItemRow::failing);
   std::string html =
       "<h2>Items that fail most</h2>\n<div class=\"wide\"><table>\n<tr><th>item</th><th "
       "class=\"number\">fail</th><th class=\"number\">left out</th><th class=\"number\">asked"
       "</th><th>share that fails</th></tr>\n";
-  for (const ItemStatistics& row : rows) {
+  for (const ItemRow& row : rows) {
     html += fmt::format(
         "<tr class=\"head\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
         "class=\"number\">{}</td>{}</tr>\n",
@@ -76,12 +92,7 @@ std::string failing_items(const ClassGrade& graded) {
 
 /// The address of a file in a submission's folder.
 std::string address_of(const SubmissionGrade& grade, std::string_view file) {
-  std::string address;
-  for (const char c : grade.name) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-    address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return fmt::format("{}/{}", address, file);
+  return fmt::format("{}/{}", percent_encoded(grade.name, "-_"), file);
 }
 
 std::string link(const SubmissionGrade& grade) {
@@ -108,8 +119,14 @@ std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
   std::string html = "<p>The smallest failing case, from item " + escaped(item.name) + ": ";
   if (!driver.empty()) html += download(name + ".txt", driver) + ", ";
   html += download(name + ".toml", scene_text(failing)) + "</p>\n";
-  return html + pictures_html(failing, "theirs") + "<p>" + escaped(answer_text(failing.answer)) +
-         "</p>\n";
+  return html + pictures_html(failing, "theirs") + "<p>" + escaped(answer_text(failing)) + "</p>\n";
+}
+
+/// A collapsed part of the page, with its name and a remark as the line that opens it.
+std::string details(std::string_view name, std::string_view remark, const std::string& html) {
+  return fmt::format(
+      "<details><summary><span class=\"name\">{}</span><span>{}</span></summary>\n{}</details>\n",
+      escaped(name), escaped(remark), html);
 }
 
 std::string mistakes(const ClassGrade& graded) {
@@ -120,12 +137,11 @@ std::string mistakes(const ClassGrade& graded) {
   const std::vector<MistakeStatistics> all = mistake_statistics(graded.submissions);
   if (all.empty()) return html + "<p>No mistake was identified.</p>\n";
   for (const MistakeStatistics& one : all) {
-    html += fmt::format(
-        "<details><summary><span class=\"name\">{}</span><span>{} of {}</span></summary>\n",
-        escaped(one.sentence), one.students.size(), count_text(judged, "student"));
-    html += links(one.students);
-    if (one.smallest != nullptr) html += smallest_case(*one.smallest, one.whose->driver);
-    html += "</details>\n";
+    const std::string smallest =
+        one.smallest != nullptr ? smallest_case(*one.smallest, one.whose->found.driver()) : "";
+    html += details(one.sentence,
+                    fmt::format("{} of {}", one.students.size(), count_text(judged, "student")),
+                    links(one.students) + smallest);
   }
   return html;
 }
@@ -141,11 +157,10 @@ std::string not_judged(const ClassGrade& graded) {
   }
   html += "</p>\n";
   for (const SubmissionGrade* grade : all) {
-    html += "<details><summary><span class=\"name\">" + escaped(grade->name) + "</span><span>" +
-            escaped(grade->refused->why) + "</span></summary>\n<p>Report: " + link(*grade) +
-            "</p>\n";
-    if (!grade->refused->said.empty()) html += "<pre>" + escaped(grade->refused->said) + "</pre>\n";
-    html += "</details>\n";
+    const std::string& said = grade->refused->said;
+    html += details(grade->name, grade->refused->why,
+                    "<p>Report: " + link(*grade) + "</p>\n" +
+                        (said.empty() ? "" : "<pre>" + escaped(said) + "</pre>\n"));
   }
   return html;
 }
@@ -195,13 +210,11 @@ std::string opaque(const ClassGrade& graded) {
   constexpr std::size_t kMostListed = 8;
   std::string rows;
   for (const SubmissionGrade& grade : graded.submissions) {
-    const auto& files = grade.opaque_files;
-    std::string text;
-    for (std::size_t k = 0; k < std::min(files.size(), kMostListed); ++k) {
-      text += fmt::format("{}{} ({}, {:.0f} KiB)", k == 0 ? "" : ", ", files[k].name, files[k].kind,
-                          std::ceil(static_cast<double>(files[k].bytes) / 1024));
-    }
-    if (files.size() > kMostListed) text += fmt::format(" and {} more", files.size() - kMostListed);
+    const std::string text =
+        first_text(grade.found.opaque_files, kMostListed, [](const OpaqueFile& file) {
+          return fmt::format("{} ({}, {:.0f} KiB)", file.name, file.kind,
+                             std::ceil(static_cast<double>(file.bytes) / 1024));
+        });
     if (!text.empty())
       rows += "<tr><td>" + link(grade) + "</td><td>" + escaped(text) + "</td></tr>\n";
   }
@@ -218,14 +231,15 @@ std::string summary(const ClassGrade& graded) {
   for (const SubmissionGrade* grade : submissions_that(graded, true)) {
     shares.push_back(share_of(*grade));
   }
-  const std::size_t not_judged = graded.submissions.size() - shares.size();
-  const std::optional<double> middle = median(std::move(shares));
-  std::string html =
-      fmt::format("<h1>{}</h1>\n<p>{}, median {}{}{}</p>\n", escaped(graded.rubric.title),
-                  count_text(graded.submissions.size(), "submission"),
-                  middle ? fmt::format("{:.0f}%", 100 * *middle) : "-",
-                  not_judged > 0 ? fmt::format(", {} could not be judged", not_judged) : "",
-                  graded.times ? "; " + times_text(*graded.times) : "");
+  std::ranges::sort(shares);
+  const std::size_t count = shares.size(), not_judged = graded.submissions.size() - count;
+  const std::string times = times_text(graded);
+  std::string html = fmt::format(
+      "<h1>{}</h1>\n<p>{}, median {}{}{}</p>\n", escaped(graded.rubric.title),
+      count_text(graded.submissions.size(), "submission"),
+      count > 0 ? fmt::format("{:.0f}%", 50 * (shares[(count - 1) / 2] + shares[count / 2])) : "-",
+      not_judged > 0 ? fmt::format(", {} could not be judged", not_judged) : "",
+      times.empty() ? "" : "; " + times);
   if (graded.isolation) {
     html += "<p class=\"quiet\">" + escaped(isolation_text(*graded.isolation)) + "</p>\n";
   }

@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "scene/text.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/results/record.h"
 #include "tools/grade/results/result.h"
 #include "tools/report/json.h"
 #include "tools/report/spelling.h"
@@ -13,6 +13,19 @@
 
 namespace raycheck::tools {
 namespace {
+
+/// "time is up after 60 s: robustness not judged"; empty if every item was asked.
+std::string time_up_text(const SubmissionGrade& grade) {
+  std::string items;
+  double seconds = 0;
+  for (const ItemGrade& item : grade.items) {
+    if (item.reason.kind != ItemReason::Kind::kTimeUp) continue;
+    seconds = item.reason.seconds;
+    items += (items.empty() ? "" : ", ") + item.name;
+  }
+  if (items.empty()) return "";
+  return fmt::format("time is up after {} s: {} not judged", seconds, items);
+}
 
 /// A line for each submission, with its mistake.
 std::string submission_lines(const ClassGrade& graded) {
@@ -56,10 +69,8 @@ std::string submission_lines(const ClassGrade& graded) {
 std::string class_text(const ClassGrade& graded) {
   std::string text = graded.rubric.title + "\n";
   if (graded.isolation) text += isolation_text(*graded.isolation) + "\n";
-  std::vector<const Item*> items;
-  for (const Item& item : graded.rubric.items) items.push_back(&item);
   const bool is_one = graded.submissions.size() == 1;
-  text += is_one ? submission_text(items, graded.submissions.front()) : submission_lines(graded);
+  text += is_one ? submission_text(graded.submissions.front()) : submission_lines(graded);
   if (is_one && !graded.out.empty()) {
     text += fmt::format("see {}/{}/{}\n", graded.out, line_text(graded.submissions[0].name),
                         kReportFile);
@@ -76,12 +87,12 @@ std::string class_text(const ClassGrade& graded) {
   text += not_judged == 0 ? fmt::format("{} graded", count_text(all, "submission"))
                           : fmt::format("{} of {} graded; {} could not be judged", all - not_judged,
                                         count_text(all, "submission"), not_judged);
-  if (graded.not_graded > 0) {
+  if (graded.not_graded() > 0) {
     text += fmt::format(
         ", {} of them for reasons outside the submission: run the same command to retry",
-        graded.not_graded);
+        graded.not_graded());
   }
-  if (graded.times) text += fmt::format(" ({})", times_text(*graded.times));
+  if (const std::string times = times_text(graded); !times.empty()) text += " (" + times + ")";
   return text + "\n";
 }
 
@@ -121,9 +132,58 @@ std::string class_json(const ClassGrade& graded) {
   Json json = json_header("grade");
   json["rubric"] = graded.rubric.title;
   json["interrupted"] = graded.interrupted;
-  json["not_graded"] = graded.not_graded;
+  json["not_graded"] = graded.not_graded();
   json["submissions"] = list_json(graded.submissions, record_json);
   return json_text(json);
+}
+
+namespace {
+
+std::vector<StudentGrade> shown_of(const ClassGrade& graded) {
+  std::vector<StudentGrade> shown;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    shown.push_back(student_grade(graded.rubric, grade, HiddenBy::kUs));
+  }
+  return shown;
+}
+
+/// The lines that `grade` prints for one submission, then details of the items that fail. `out`:
+/// the folder of the results; or empty.
+std::string try_text(const StudentGrade& shown, const std::string& out) {
+  std::string text = submission_text(shown.submission);
+  if (shown.unlisted > 0) text += "  " + unlisted_text(shown) + "\n";
+  for (std::size_t k = 0; k < shown.items.size(); ++k) {
+    const ItemGrade& item = shown.submission.items[k];
+    // For items that were not answered, the line above is complete.
+    const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
+    if (item.state != ItemState::kFails || !has_more) continue;
+    text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
+  }
+  if (!out.empty()) {
+    const bool has_cases = std::ranges::any_of(
+        shown.submission.items, [](const ItemGrade& item) { return item.failing.has_value(); });
+    text += fmt::format("\nwrote {}/report.html{}\n",
+                        (std::filesystem::path(out) / shown.submission.name).string(),
+                        has_cases ? ", and the smallest failing cases beside it" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+bool holds_for_students(const ClassGrade& graded) {
+  const auto item_holds = [](const ItemGrade& item) {
+    return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
+  };
+  return std::ranges::all_of(shown_of(graded), [&](const StudentGrade& one) {
+    return could_be_judged(one.submission) && std::ranges::all_of(one.submission.items, item_holds);
+  });
+}
+
+std::string try_text(const ClassGrade& graded) {
+  const auto text_of = [&](const StudentGrade& one) { return try_text(one, graded.out); };
+  return graded.rubric.title + "\n" + scene::joined(shown_of(graded), "\n", text_of) +
+         (graded.interrupted ? "INTERRUPTED: these are the results so far.\n" : "");
 }
 
 }  // namespace raycheck::tools

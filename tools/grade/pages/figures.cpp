@@ -105,9 +105,9 @@ std::vector<Selection> wanted_of(const FailingCase& failing) {
 }
 
 /// "hit point: hit point, ray 0, sphere 0: off by 3 u; yours Q = (0, 0, 1), exact Q = (0, 0, 2)"
-std::string sentence_of(const Item& item, const WrongAnswer& answer) {
-  std::string text = fmt::format("{}: {}", item.name, answer_text(answer));
-  const std::string got = got_text(answer), exact = exact_text(answer);
+std::string sentence_of(const Item& item, const FailingCase& failing) {
+  std::string text = fmt::format("{}: {}", item.name, answer_text(failing));
+  const std::string got = got_text(failing), exact = exact_text(failing);
   if (!got.empty()) text += fmt::format("; {} {}", kYours, got);
   if (!exact.empty()) text += fmt::format(", exact {}", exact);
   return text;
@@ -126,8 +126,8 @@ void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document
   SceneViewOptions view;
   view.name = file_name(item.name) + ".toml";
   view.file = view.name;
-  if (grade.submission.program)
-    view.more_arguments = " --candidate " + shell_word(grade.submission.program->text());
+  if (grade.submission.found.program)
+    view.more_arguments = " --candidate " + shell_word(grade.submission.found.program->text());
   view.other = answered(failing, item.tolerance, grade.submission.isolation);
   view.others_picture = false;
   view.wanted = wanted_of(failing);
@@ -136,9 +136,8 @@ void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document
       view_of(failing.the_case.scene, view, document.left_out, properties::RunControl{});
   Selection selection = selection_of(failing.answer.place, failing.the_case.scene);
   if (!is_of_ray(selection)) selection = shown.start;
-  document.findings.push_back({sentence_of(item, failing.answer), kYours,
-                               goes_wrong(shown) ? kYours : "", properties::Standing::kDefect,
-                               document.scenes.size(), selection});
+  document.findings.push_back({sentence_of(item, failing), kYours, goes_wrong(shown) ? kYours : "",
+                               properties::Standing::kDefect, document.scenes.size(), selection});
   document.scenes.push_back(std::move(shown));
 }
 
@@ -146,7 +145,7 @@ void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document
 
 bool has_figure(const StudentGrade& grade, std::size_t k) {
   const ItemGrade& item = grade.submission.items[k];
-  return !item.pictures && item.failing && item.failing->answer.exact;
+  return !item.pictures && item.failing && !item.failing->is_withheld;
 }
 
 bool has_figures(const StudentGrade& grade) {
@@ -166,10 +165,6 @@ std::string figures_page(const StudentGrade& grade) {
     if (has_figure(grade, k)) add_figure(grade, k, document);
   }
   return page(document);
-}
-
-std::string figure_address(std::size_t finding) {
-  return fmt::format("{}#finding-{}", kFiguresFile, finding + 1);
 }
 
 }  // namespace raycheck::tools

@@ -73,16 +73,19 @@ std::string page(std::string_view title, std::string_view body) {
       escaped(title), kStyle, body);
 }
 
-std::string download(std::string_view file, std::string_view text) {
-  std::string address = "data:text/plain;charset=utf-8,";
+std::string percent_encoded(std::string_view text, std::string_view plain) {
+  std::string encoded;
   for (const char c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      address += c;
-    } else {
-      address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = std::isalnum(byte) != 0 || plain.find(c) != plain.npos;
+    encoded += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
-  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", escaped(file), address);
+  return encoded;
+}
+
+std::string download(std::string_view file, std::string_view text) {
+  return fmt::format("<a download=\"{0}\" href=\"data:text/plain;charset=utf-8,{1}\">{0}</a>",
+                     escaped(file), percent_encoded(text));
 }
 
 namespace {
@@ -114,26 +117,24 @@ struct Mark {
   const char* sign;
   const char* meaning;
 };
-constexpr Mark kMissing = {
-    {230, 159, 0},
-    {".......", ".#####.", ".#...#.", ".#...#.", ".#...#.", ".#####.", "......."},
-    "&#9633;",
-    "a sphere is missing"};
-constexpr Mark kSurplus = {
-    {86, 180, 233},
-    {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
-    "&#10005;",
-    "a sphere is shown instead of the background"};
-constexpr Mark kOther = {
-    {240, 228, 66},
-    {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
-    "=",
-    "the wrong sphere is shown"};
+constexpr Mark kMarks[] = {
+    {{230, 159, 0},
+     {".......", ".#####.", ".#...#.", ".#...#.", ".#...#.", ".#####.", "......."},
+     "&#9633;",
+     "a sphere is missing"},
+    {{86, 180, 233},
+     {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
+     "&#10005;",
+     "a sphere is shown instead of the background"},
+    {{240, 228, 66},
+     {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
+     "=",
+     "the wrong sphere is shown"}};
 
 /// The mark of a pixel; null if the pixel is right.
 const Mark* mark_of(const Sphere& got, const Sphere& exact) {
   if (got == exact || (got == kSomeSphere && exact)) return nullptr;
-  return !got ? &kMissing : !exact ? &kSurplus : &kOther;
+  return &kMarks[!got ? 0 : !exact ? 1 : 2];
 }
 
 /// A picture by the case's camera, from the top line on.
@@ -179,13 +180,21 @@ std::set<std::size_t> spheres_of(const ImageAnswer& image) {
   return shown;
 }
 
-std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::string_view whose) {
+/// The pixels of a picture whose every pixel is a square of `side` pixels.
+template <class ColourAt>
+std::vector<Colour> drawn(const Canvas& canvas, int side, const ColourAt& colour_at) {
   std::vector<Colour> pixels;
-  for (std::int64_t y = 0; y < canvas.height; ++y) {
-    for (std::int64_t x = 0; x < canvas.width; ++x) {
-      pixels.push_back(colour_of(image[canvas.at(x, y)]));
+  for (std::int64_t y = 0; y < canvas.height * side; ++y) {
+    for (std::int64_t x = 0; x < canvas.width * side; ++x) {
+      pixels.push_back(colour_at(canvas.at(x / side, y / side), x % side, y % side));
     }
   }
+  return pixels;
+}
+
+std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::string_view whose) {
+  const auto pixels =
+      drawn(canvas, 1, [&](std::size_t at, auto...) { return colour_of(image[at]); });
   const std::string shown = scene::joined(spheres_of(image), ", ", name_of);
   return image_html(canvas.width, canvas.height, pixels,
                     fmt::format("{}, {} by {} pixels: {}", whose, canvas.width, canvas.height,
@@ -196,25 +205,17 @@ std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::stri
 std::string difference_html(const FailingCase& failing, std::string_view whose) {
   const Canvas canvas(failing);
   const ComparedPictures& pictures = *failing.pictures;
-  std::vector<Colour> pixels(static_cast<std::size_t>(canvas.width * canvas.height) * kMark *
-                             kMark);
   std::set<const Mark*> used;
-  for (std::int64_t y = 0; y < canvas.height * kMark; ++y) {
-    for (std::int64_t x = 0; x < canvas.width * kMark; ++x) {
-      const std::size_t at = canvas.at(x / kMark, y / kMark);
-      const Sphere& exact = (*pictures.exact)[at];
-      Colour& pixel = pixels[static_cast<std::size_t>(y * canvas.width * kMark + x)];
-      pixel = exact ? kQuiet : Colour{};
-      const Mark* const mark = mark_of(pictures.got[at], exact);
-      if (mark == nullptr) continue;
-      used.insert(mark);
-      if (mark->shape[static_cast<std::size_t>(y % kMark)][x % kMark] == '#') pixel = mark->colour;
-    }
-  }
+  const auto pixels = drawn(canvas, kMark, [&](std::size_t at, std::int64_t x, std::int64_t y) {
+    const Sphere& exact = (*pictures.exact)[at];
+    const Mark* const mark = mark_of(pictures.got[at], exact);
+    if (mark != nullptr) used.insert(mark);
+    const bool is_marked = mark != nullptr && mark->shape[static_cast<std::size_t>(y)][x] == '#';
+    return is_marked ? mark->colour : exact ? kQuiet : Colour{};
+  });
   std::string caption = "difference";
-  for (const Mark* const mark : {&kMissing, &kSurplus, &kOther}) {
-    if (!used.contains(mark)) continue;
-    caption += fmt::format("<br>{} {}", mark->sign, mark->meaning);
+  for (const Mark& mark : kMarks) {
+    if (used.contains(&mark)) caption += fmt::format("<br>{} {}", mark.sign, mark.meaning);
   }
   return image_html(canvas.width * kMark, canvas.height * kMark, pixels,
                     difference_text(failing, whose), caption);

@@ -28,10 +28,9 @@ std::string file_html(const std::string& name, const std::string& text) {
 }
 
 std::string failing_html(const FailingCase& failing) {
-  const WrongAnswer& answer = failing.answer;
   return pictures_html(failing) + "<dl>\n" + row("the law", law_text(failing)) +
-         row("wrong answer", answer_text(answer)) + row("yours", got_text(answer)) +
-         row("exact", exact_text(answer)) + row("goes wrong at", step_text(failing)) +
+         row("wrong answer", answer_text(failing)) + row("yours", got_text(failing)) +
+         row("exact", exact_text(failing)) + row("goes wrong at", step_text(failing)) +
          row("smallest case found, from", origin_text(failing.origin)) + "</dl>\n";
 }
 
@@ -55,7 +54,7 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   if (graded.failing) {
     const std::string name = file_name(item.name);
     const std::string scene = scene_text(*graded.failing);
-    const std::string driver = driver_file_text(*graded.failing, grade.submission.driver);
+    const std::string driver = driver_file_text(*graded.failing, grade.submission.found.driver());
     std::string links = "Save the case beside your program: ";
     if (!driver.empty()) {
       links += download(name + ".txt", driver) + " (driver file), ";
@@ -69,18 +68,28 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
+/// The command that grades the submission again in its folder, as far as students may see.
+HomeCommand command_for_all(const StudentGrade& grade) {
+  const std::string& adapter = grade.submission.found.adapter;
+  return {shipped_rubric(grade.rubric)
+              ? "To grade your submission again, run in its folder"
+              : "To grade your submission again, run in its folder, with " + grade.rubric +
+                    (adapter.empty() ? "" : " and " + adapter) + " in it",
+          fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
+                      grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
+}
+
 /// `figure`: the address of the item's figure, or empty.
 std::string item_html(const StudentGrade& all, std::size_t k, const std::string& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];
   const bool fails = grade.state == ItemState::kFails;
-  const std::string of =
-      fmt::format(" of {}{}", points_text(grade.points), item.bonus ? " (bonus)" : "");
   std::string html = fmt::format(
       "<details class=\"{}\"{}>\n<summary><h2 class=\"name\">{}</h2><span class=\"points\">"
       "{}</span></summary>\n",
       class_of(grade), fails ? " open" : "", escaped(item.name),
-      grade.state == ItemState::kNotAsked ? "not asked" : points_text(grade.score) + of);
+      grade.state == ItemState::kNotAsked ? "not asked"
+                                          : points_text(grade.score) + of_points_text(grade));
   if (!item.asks.empty()) html += "<p>" + escaped(item.asks) + "</p>\n";
   if (!item.why.empty()) html += "<p class=\"quiet\">Why: " + escaped(item.why) + "</p>\n";
   html += "<p>" + escaped(state_text(grade)) + "</p>\n";
@@ -99,14 +108,14 @@ std::string item_html(const StudentGrade& all, std::size_t k, const std::string&
 
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k) {
   const ItemGrade& item = grade.submission.items[k];
-  const auto& program = grade.submission.program;
+  const auto& program = grade.submission.found.program;
   if (!item.failing || !program) return {};
   const std::string name = file_name(item.name);
   const bool is_renderer = program->kind == CandidateKind::kRenderer;
   std::vector<HomeCommand> commands;
-  if (!grade.submission.build_words.empty()) {
+  if (!grade.submission.found.build_words.empty()) {
     commands.push_back({"Build it as the grader did, in a copy of your folder",
-                        "(" + grade.submission.build_words + ")"});
+                        "(" + grade.submission.found.build_words + ")"});
   }
   if (is_renderer) {
     std::string words = boost::replace_all_copy(program->what, "{scene}", name + ".txt");
@@ -115,8 +124,8 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   }
   std::string check =
       fmt::format("raycheck check {}.toml --candidate {}", name, shell_word(program->text()));
-  if (is_renderer && !(grade.submission.driver == DriverForm{})) {
-    check += " --dialect " + shell_word(grade.submission.driver.name());
+  if (is_renderer && !(grade.submission.found.driver() == DriverForm{})) {
+    check += " --dialect " + shell_word(grade.submission.found.driver().name());
   }
   const auto precision = grade.submission.items[k].failing->answer.precision;
   if (is_renderer && precision != scene::Precision::kDouble) {
@@ -126,21 +135,11 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   if (is_renderer && pictures && pictures->image_change) {
     check += " --image-change " + scene::shortest(*pictures->image_change);
   }
-  const std::string& adapter = grade.submission.adapter;
+  const std::string& adapter = grade.submission.found.adapter;
   commands.push_back({(is_renderer ? "Check every pixel" : "Check every ray") +
                           (adapter.empty() ? "" : ", with " + adapter + " in your folder"),
                       std::move(check)});
   return commands;
-}
-
-HomeCommand command_for_all(const StudentGrade& grade) {
-  const std::string& adapter = grade.submission.adapter;
-  return {shipped_rubric(grade.rubric)
-              ? "To grade your submission again, run in its folder"
-              : "To grade your submission again, run in its folder, with " + grade.rubric +
-                    (adapter.empty() ? "" : " and " + adapter) + " in it",
-          fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
-                      grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
 }
 
 std::string report_page(const StudentGrade& grade) {
@@ -170,17 +169,19 @@ std::string report_page(const StudentGrade& grade) {
     std::string failing, others;
     for (std::size_t k = 0; k < grade.items.size(); ++k) {
       const bool fails = submission.items[k].state == ItemState::kFails;
-      (fails ? failing : others) +=
-          item_html(grade, k, has_figure(grade, k) ? figure_address(shown++) : "");
+      (fails ? failing : others) += item_html(
+          grade, k,
+          has_figure(grade, k) ? fmt::format("{}#finding-{}", kFiguresFile, ++shown) : "");
     }
     html += failing + others;
   }
   html += "<div>" + command_html(command_for_all(grade)) + "</div>\n";
   if (grade.unlisted > 0) html += "<p class=\"quiet\">" + unlisted_text(grade) + ".</p>\n";
   // A refused program may be none: its command line may still have the rubric's placeholders.
-  if (submission.program && could_be_judged(submission)) {
+  if (submission.found.program && could_be_judged(submission)) {
     html += fmt::format("<p class=\"quiet\">raycheck ran it as {}; it was isolated by {}.</p>\n",
-                        escaped(submission.program->text()), escaped(submission.isolation.text()));
+                        escaped(submission.found.program->text()),
+                        escaped(submission.isolation.text()));
   }
   return page(grade.title + ": " + submission.name, html);
 }

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scene/text.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
+#include "tools/report/json.h"
 #include "tools/report/spelling.h"
 
 namespace raycheck::tools {
@@ -25,7 +31,22 @@ std::string class_page(const ClassGrade& graded);
 /// The formats that the command prints; the first is the default.
 inline constexpr ClassView kPrintedViews[] = {
     {"text", class_text}, {"json", class_json}, {"csv", class_csv}};
+/// What students may see of their grades.
+std::string try_text(const ClassGrade& graded);
+/// Whether every item that students may see and that was asked holds, of all submissions.
+bool holds_for_students(const ClassGrade& graded);
+
+/// A graded class whose submissions were only built and tried.
+std::string probe_text(const ClassGrade& probed);
+std::string probe_json(const ClassGrade& probed);
+inline constexpr ClassView kProbeViews[] = {{"text", probe_text}, {"json", probe_json}};
 inline constexpr ClassView kClassFiles[] = {{"grades.csv", class_csv}, {"index.html", class_page}};
+
+/// A submission's complete grade as JSON, including what is withheld from students.
+Json record_json(const SubmissionGrade& grade);
+/// A form of driver files, by the keys of a rubric's [driver].
+Json driver_json(const DriverForm& form);
+Json refusal_json(const Refusal& refusal);
 
 /// A format of results.json, a file of each submission for a course's system; chosen by `--format
 /// NAME`.
@@ -56,10 +77,10 @@ std::string points_text(double points);
 std::string origin_text(const CaseOrigin& origin);
 
 /// "class, pixel (3, 4), sphere 0: missed"
-std::string answer_text(const WrongAnswer& answer);
+std::string answer_text(const FailingCase& failing);
 /// The numbers of the answer, or "miss"; empty if there are no numbers or they are withheld.
-std::string got_text(const WrongAnswer& answer);
-std::string exact_text(const WrongAnswer& answer);
+std::string got_text(const FailingCase& failing);
+std::string exact_text(const FailingCase& failing);
 /// The step at which the failing case goes wrong, or empty.
 std::string step_text(const FailingCase& failing);
 
@@ -79,13 +100,11 @@ std::string mistake_text(const SubmissionGrade& grade);
 /// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
 std::string state_text(const ItemGrade& grade);
 
-/// "time is up after 60 s: robustness not judged"; empty if every item was asked.
-std::string time_up_text(const SubmissionGrade& grade);
-
 /// The score without bonus; "-" if the submission could not be judged and gets no points.
 std::string score_text(const SubmissionGrade& grade);
-/// " of 100, bonus 7.5"
+/// " of 100, bonus 7.5"; of an item: " of 10 (bonus)"
 std::string of_points_text(const SubmissionGrade& grade);
+std::string of_points_text(const ItemGrade& grade);
 
 /// "could not be judged: 'make' exited with 2". Domain: a submission that could not be judged.
 std::string not_judged_text(const SubmissionGrade& grade);
@@ -102,18 +121,27 @@ std::string law_text(const FailingCase& failing);
 std::string scene_text(const FailingCase& failing);
 std::string driver_file_text(const FailingCase& failing, const DriverForm& form);
 
-/// "built in 3.2 s, 4 from the store, judged in 0.5 s"
-std::string times_text(const GradingTimes& times);
+/// The total times of the submissions: "built in 3.2 s, 4 from the store, judged in 0.5 s"; empty
+/// if none was run.
+std::string times_text(const ClassGrade& graded);
 
 /// The isolation of submissions: "isolated by: seccomp, bubblewrap", and why other layers are
 /// missing on this machine.
 std::string isolation_text(const LayersHere& isolation);
 
+/// The first values, as `write` writes them, and the number of others: "a, b and 3 more".
+template <class Value, class Write>
+std::string first_text(const std::vector<Value>& values, std::size_t most, const Write& write) {
+  const std::span<const Value> first(values.data(), std::min(values.size(), most));
+  return scene::joined(first, ", ", write) +
+         (values.size() > most ? fmt::format(" and {} more", values.size() - most) : "");
+}
+
 /// A name without terminal control sequences.
 std::string line_text(const std::string& name);
 
-/// One line for each item of a submission, and its mistake; `items` are its items in the rubric.
-std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade);
+/// One line for each item of a submission, and its mistake.
+std::string submission_text(const SubmissionGrade& grade);
 
 /// The question and the outcome of item k, in lines.
 std::string item_text(const StudentGrade& all, std::size_t k);
@@ -128,9 +156,6 @@ struct HomeCommand {
 /// files must lie beside the submission's. Empty if there is no failing case.
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
 
-/// The command that grades the submission again in its folder, as far as students may see.
-HomeCommand command_for_all(const StudentGrade& grade);
-
 /// Whether item k has a figure: it is judged by functions and fails on a case whose exact answer
 /// the student may see.
 bool has_figure(const StudentGrade& grade, std::size_t k);
@@ -138,11 +163,12 @@ bool has_figures(const StudentGrade& grade);
 /// The page of all figures, made from stored answers without running anything. Domain:
 /// has_figures().
 std::string figures_page(const StudentGrade& grade);
-/// The link to an item's figure, given its index among the items with figures.
-std::string figure_address(std::size_t finding);
 
 /// A self-contained page, for narrow and wide screens.
 std::string page(std::string_view title, std::string_view body);
+
+/// Text in a URL: every byte except letters, digits and those in `plain` is percent-encoded.
+std::string percent_encoded(std::string_view text, std::string_view plain = "");
 
 /// A link that saves a text as a file.
 std::string download(std::string_view file, std::string_view text);

@@ -29,18 +29,21 @@ std::string origin_text(const CaseOrigin& origin) {
              : "the scene " + origin.scene;
 }
 
-std::string answer_text(const WrongAnswer& answer) {
-  if (answer.wrong == Wrong::kFailed || answer.wrong == Wrong::kRefused) return answer.part;
+std::string answer_text(const FailingCase& failing) {
+  const properties::Discrepancy& answer = failing.answer;
+  const std::string part = plain_text(answer.what);
+  if (answer.wrong == Wrong::kFailed || answer.wrong == Wrong::kRefused) return part;
   std::string text(info(answer.quantity).name);
   if (has_place(answer.quantity)) text += ", " + place_text(answer.place);
-  if (!answer.part.empty()) text += ", " + answer.part;
+  if (!part.empty()) text += ", " + part;
   if (answer.wrong != Wrong::kNot) return fmt::format("{}: {}", text, name(answer.wrong));
-  if (!answer.error) return text;
+  if (failing.is_withheld) return text;
   return fmt::format("{}: off by {} {}", text, error_text(answer.error),
                      unit_name(answer.quantity, answer.precision));
 }
 
-std::string got_text(const WrongAnswer& answer) {
+std::string got_text(const FailingCase& failing) {
+  const properties::Discrepancy& answer = failing.answer;
   if (answer.quantity == Quantity::kRefusal) return "";
   // The picture shows a sphere, but its colour does not identify it.
   const bool is_unidentified = answer.quantity == Quantity::kNearestSphere &&
@@ -48,9 +51,9 @@ std::string got_text(const WrongAnswer& answer) {
   return is_unidentified ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
 }
 
-std::string exact_text(const WrongAnswer& answer) {
-  if (answer.quantity == Quantity::kRefusal || !answer.exact) return "";
-  return answer_text(answer.quantity, answer.symbol, *answer.exact);
+std::string exact_text(const FailingCase& failing) {
+  const bool has_none = failing.answer.quantity == Quantity::kRefusal || failing.is_withheld;
+  return has_none ? "" : exact_text(failing.answer);
 }
 
 std::string step_text(const FailingCase& failing) {
@@ -61,42 +64,20 @@ std::string step_text(const FailingCase& failing) {
 
 std::string reason_text(const ItemReason& reason) {
   using Kind = ItemReason::Kind;
-  switch (reason.kind) {
-    case Kind::kNone:
-      return "";
-    case Kind::kNotInPictures:
-      return "cannot be judged from a picture";
-    case Kind::kOfRenderers:
-      return "only for submissions that draw pictures";
-    case Kind::kNeeds:
-      if (reason.item.empty()) return "another item must have all points first";
-      return fmt::format("'{}' must have all points first, but {}{}", reason.item,
-                         reason.state == ItemState::kFails ? "" : "is ", name(reason.state));
-    case Kind::kFollows:
-      return reason.item.empty() ? "because of the mistake in another item"
-                                 : fmt::format("because of the mistake in '{}'", reason.item);
-    case Kind::kTimeUp:
-      return fmt::format("time is up: the limit for all questions together is {} s",
-                         reason.seconds);
-    case Kind::kInterrupted:
-      return "interrupted";
-    case Kind::kOtherColours:
-      return "its colours do not identify the spheres";
-    case Kind::kUnanswered:
-      if (!reason.function.empty()) {
-        return fmt::format("{} is missing: write it", reason.function);
-      }
-      return fmt::format("{}: {}", reason.law, reason.said);
-    case Kind::kNothingToCompare:
-      return "there was nothing to compare";
-    case Kind::kNeverRight:
-      return fmt::format("{}: all answers are excused, none is right", reason.quantity);
-    case Kind::kCannotBeSaid:
-      return "its cases cannot be written in the input format of the program";
-    case Kind::kNothingRuns:
-      break;
+  if (reason.item.empty() && reason.kind == Kind::kNeeds) {
+    return "another item must have all points first";
   }
-  return "the submission could not be judged";
+  if (reason.item.empty() && reason.kind == Kind::kFollows) {
+    return "because of the mistake in another item";
+  }
+  if (!reason.function.empty()) return reason.function + " is missing: write it";
+  const bool is_verb = reason.state == ItemState::kFails;
+  return fmt::format(
+      fmt::runtime(kReasons[static_cast<std::size_t>(reason.kind)].text),
+      fmt::arg("item", reason.item), fmt::arg("seconds", reason.seconds),
+      fmt::arg("law", reason.law), fmt::arg("said", reason.said),
+      fmt::arg("quantity", reason.quantity),
+      fmt::arg("is_state", (is_verb ? "" : "is ") + std::string(name(reason.state))));
 }
 
 std::string hint_text(const Item& item, const ItemGrade& grade) {
@@ -147,18 +128,6 @@ std::string state_text(const ItemGrade& grade) {
   return reason.empty() ? text : fmt::format("{} ({})", text, reason);
 }
 
-std::string time_up_text(const SubmissionGrade& grade) {
-  std::string items;
-  double seconds = 0;
-  for (const ItemGrade& item : grade.items) {
-    if (item.reason.kind != ItemReason::Kind::kTimeUp) continue;
-    seconds = item.reason.seconds;
-    items += (items.empty() ? "" : ", ") + item.name;
-  }
-  if (items.empty()) return "";
-  return fmt::format("time is up after {} s: {} not judged", seconds, items);
-}
-
 std::string score_text(const SubmissionGrade& grade) {
   return could_be_judged(grade) || grade.score > 0 ? points_text(grade.score - grade.bonus) : "-";
 }
@@ -166,6 +135,10 @@ std::string score_text(const SubmissionGrade& grade) {
 std::string of_points_text(const SubmissionGrade& grade) {
   return " of " + points_text(grade.points) +
          (grade.bonus > 0 ? ", bonus " + points_text(grade.bonus) : "");
+}
+
+std::string of_points_text(const ItemGrade& grade) {
+  return " of " + points_text(grade.points) + (grade.bonus ? " (bonus)" : "");
 }
 
 std::string not_judged_text(const SubmissionGrade& grade) {
@@ -182,7 +155,7 @@ std::string unlisted_text(const StudentGrade& grade) {
 }
 
 std::string law_text(const FailingCase& failing) {
-  return std::string(properties::find_law(failing.law)->sentence);
+  return std::string(properties::find_law(failing.answer.law)->sentence);
 }
 
 std::string scene_text(const FailingCase& failing) {
@@ -208,9 +181,9 @@ std::string item_text(const StudentGrade& all, std::size_t k) {
   for (const ExplainingMistake& one : grade.mistakes) line("mistake: ", mistake_text(grade, one));
   if (grade.failing) {
     line("the law: ", law_text(*grade.failing));
-    line("", answer_text(grade.failing->answer));
-    line("  got   ", got_text(grade.failing->answer));
-    line("  exact ", exact_text(grade.failing->answer));
+    line("", answer_text(*grade.failing));
+    line("  got   ", got_text(*grade.failing));
+    line("  exact ", exact_text(*grade.failing));
     line("", difference_text(*grade.failing));
     line("goes wrong at: ", step_text(*grade.failing));
   }
@@ -221,7 +194,7 @@ std::string item_text(const StudentGrade& all, std::size_t k) {
         fmt::format("the smallest failing case found, from {}; to repeat it, save it as {}.toml:\n",
                     origin_text(grade.failing->origin), name);
     text += scene_text(*grade.failing);
-    const std::string driver = driver_file_text(*grade.failing, all.submission.driver);
+    const std::string driver = driver_file_text(*grade.failing, all.submission.found.driver());
     if (!driver.empty()) {
       text += fmt::format("the same case as a driver file; save it as {}.txt:\n", name) + driver;
     }
@@ -243,11 +216,17 @@ std::string isolation_text(const LayersHere& isolation) {
   return text;
 }
 
-std::string times_text(const GradingTimes& times) {
-  const std::string stored =
-      times.stored_builds > 0 ? fmt::format(", {} from the store", times.stored_builds) : "";
-  return fmt::format("built in {:.1f} s{}, judged in {:.1f} s", times.build_seconds, stored,
-                     times.judge_seconds);
+std::string times_text(const ClassGrade& graded) {
+  if (!graded.isolation || graded.submissions.empty()) return "";
+  double built = 0, judged = 0;
+  int stored = 0;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    built += grade.build_seconds;
+    judged += grade.judge_seconds;
+    stored += grade.build_is_stored ? 1 : 0;
+  }
+  return fmt::format("built in {:.1f} s{}, judged in {:.1f} s", built,
+                     stored > 0 ? fmt::format(", {} from the store", stored) : "", judged);
 }
 
 std::string line_text(const std::string& name) {
@@ -268,7 +247,7 @@ std::string notes_text(const SubmissionGrade& grade) {
 
 }  // namespace
 
-std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade) {
+std::string submission_text(const SubmissionGrade& grade) {
   if (!could_be_judged(grade)) {
     const std::string score =
         grade.score > 0 ? score_text(grade) + of_points_text(grade) + ", " : "";
@@ -280,16 +259,12 @@ std::string submission_text(const std::vector<const Item*>& items, const Submiss
   const std::string mistake = mistake_text(grade);
   if (!mistake.empty()) text += "  " + mistake + "\n";
   std::size_t width = 0;
-  for (const Item* item : items) width = std::max(width, item->name.size());
-  for (std::size_t k = 0; k < grade.items.size(); ++k) {
-    const ItemGrade& item = grade.items[k];
-    const std::string of =
-        item.state == ItemState::kNotAsked
-            ? ""
-            : fmt::format(" of {}{}", points_text(items[k]->points), item.bonus ? " (bonus)" : "");
+  for (const ItemGrade& item : grade.items) width = std::max(width, item.name.size());
+  for (const ItemGrade& item : grade.items) {
+    const bool is_asked = item.state != ItemState::kNotAsked;
     text += fmt::format("  {:<{}}  {:>5}{}  {}\n", item.name, width,
-                        item.state == ItemState::kNotAsked ? "-" : points_text(item.score), of,
-                        state_text(item));
+                        is_asked ? points_text(item.score) : "-",
+                        is_asked ? of_points_text(item) : "", state_text(item));
   }
   return text + notes_text(grade);
 }

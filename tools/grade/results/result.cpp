@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <utility>
 
@@ -36,11 +37,7 @@ ItemGrade unjudged(const Item& item, bool pictures) {
 std::string plain_text(const std::string& said) {
   // Compilers print typographic quotes.
   std::string text = without_private_folders(said);
-  for (const char* quote : {"\xe2\x80\x98", "\xe2\x80\x99"}) {
-    for (std::size_t at = 0; (at = text.find(quote, at)) != std::string::npos; ++at) {
-      text.replace(at, 3, "'");
-    }
-  }
+  for (const char* quote : {"\xe2\x80\x98", "\xe2\x80\x99"}) boost::replace_all(text, quote, "'");
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
@@ -96,30 +93,6 @@ Submissions submissions_that(const ClassGrade& graded, bool are_judged) {
   return found;
 }
 
-std::optional<double> median(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::ranges::sort(values);
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-}
-
-std::vector<ItemStatistics> item_statistics(const ClassGrade& graded) {
-  std::vector<ItemStatistics> all;
-  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
-    ItemStatistics one;
-    one.item = &graded.rubric.items[k];
-    for (const SubmissionGrade* grade : submissions_that(graded, true)) {
-      const ItemGrade& item = grade->items[k];
-      if (item.state == ItemState::kNotAsked) continue;
-      ++one.asked;
-      one.failing += item.state == ItemState::kFails ? 1 : 0;
-      one.left_out +=
-          item.state == ItemState::kLeftOut || item.state == ItemState::kNotJudged ? 1 : 0;
-    }
-    all.push_back(one);
-  }
-  return all;
-}
-
 std::vector<MistakeStatistics> mistake_statistics(std::span<const SubmissionGrade> graded) {
   std::vector<MistakeStatistics> all;
   for (const SubmissionGrade& grade : graded) {
@@ -142,15 +115,13 @@ bool is_visible(const Rubric& rubric, const std::string& item) {
   });
 }
 
-/// Withholds the exact answer, and the error and the condition number, which would reveal it.
-void withhold_exact(WrongAnswer& answer) {
-  answer.exact.reset();
-  answer.error.reset();
-  answer.condition.reset();
-}
-
 void withhold_exact(FailingCase& failing) {
-  withhold_exact(failing.answer);
+  properties::Discrepancy& answer = failing.answer;
+  failing.is_withheld = true;
+  answer.exact.clear();
+  answer.error = 0;
+  answer.condition.reset();
+  answer.excuse = {};
   failing.answers.reset();
   if (failing.pictures) failing.pictures->exact.reset();
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <boost/algorithm/string/join.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,9 +15,10 @@
 
 #include "properties/candidate.h"
 #include "properties/decision.h"
+#include "properties/discrepancy.h"
 #include "properties/truth.h"
 #include "tools/external/candidate_spec.h"
-#include "tools/external/pictures/driver_form.h"
+#include "tools/external/pictures/dry_run.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/grade/rubric/rubric.h"
@@ -34,21 +37,6 @@ struct CaseOrigin {
   std::string scene = {};    ///< The scene's name in the rubric; empty for a random case.
   std::string source = {};   ///< "course", "distance@3"
   std::uint64_t number = 0;  ///< The random case's number, from 1.
-};
-
-/// An answer that breaks a law.
-struct WrongAnswer {
-  properties::Quantity quantity = properties::Quantity::kFrame;
-  properties::Place place;
-  std::string part;  ///< "U", "scaled by 2^40"; for a failure, its message.
-  properties::Wrong wrong = properties::Wrong::kNot;
-  std::string symbol;       ///< The symbol of the numbers, "s" or "Q"; may be empty.
-  std::vector<double> got;  ///< Empty for a miss, or if the answer has no numbers.
-  std::optional<std::vector<double>> exact;  ///< Like `got`; absent if withheld.
-  /// In the quantity's unit; absent if withheld, and for decisions.
-  std::optional<double> error;
-  std::optional<double> condition;  ///< The condition number; absent if not computed.
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format of the unit.
 };
 
 /// A picture and the exact one, pixel by pixel, in the order of the case's conventions. If an item
@@ -70,10 +58,12 @@ struct RayAnswers {
 
 /// The smallest case found on which an item fails.
 struct FailingCase {
-  std::string law;  ///< The name of the law.
   CaseOrigin origin;
   std::optional<std::string> step;  ///< The first step that goes wrong, if known: "direction".
-  WrongAnswer answer;
+  properties::Discrepancy answer;   ///< The answer, and the law that it breaks.
+  /// Whether the exact answer is withheld, with the error and the condition number, which would
+  /// reveal it.
+  bool is_withheld = false;
   properties::Case the_case;  ///< For pictures, no pixels means all pixels.
   /// Present if the program drew the case; both pictures have the camera's size.
   std::optional<ComparedPictures> pictures = {};
@@ -86,7 +76,7 @@ struct FailingCase {
 /// wrong answer.
 struct FirstWrongAnswer {
   CaseOrigin origin;
-  WrongAnswer answer;
+  properties::Discrepancy answer;
 };
 
 /// A mistake, the number of wrong answers (or pixels) of an item, and the number that the mistake
@@ -114,20 +104,21 @@ constexpr std::string_view name(ItemState state) {
 
 /// Why an item is left out, not asked or not judged, or why it fails without a failing case.
 struct ItemReason {
+  /// As in kReasons.
   enum class Kind {
     kNone,
-    kNotInPictures,     ///< The item cannot be judged from a picture.
-    kOfRenderers,       ///< The item applies only to renderers.
-    kNeeds,             ///< An item that it needs does not have all points.
-    kFollows,           ///< It fails because of the mistake of another item.
-    kTimeUp,            ///< The limit for all questions of the submission was reached.
-    kInterrupted,       ///< The run was interrupted.
-    kOtherColours,      ///< A picture's colours do not identify the spheres.
-    kUnanswered,        ///< The candidate lacks a function, or its hits cannot be compared.
-    kNothingToCompare,  ///< There were no cases.
-    kNeverRight,        ///< All answers about a quantity are excused; none is right.
-    kNothingRuns,       ///< The submission could not be run.
-    kCannotBeSaid       ///< No case can be written in its input format.
+    kNotInPictures,
+    kOfRenderers,
+    kNeeds,
+    kFollows,
+    kTimeUp,
+    kInterrupted,
+    kOtherColours,
+    kUnanswered,
+    kNothingToCompare,
+    kNeverRight,
+    kNothingRuns,
+    kCannotBeSaid
   };
   Kind kind = Kind::kNone;
   std::string item = {};                ///< The item that it needs or follows; empty if withheld.
@@ -137,19 +128,25 @@ struct ItemReason {
   std::string function = {};            ///< The missing function, "frame()"; or empty.
   std::string quantity = {};            ///< The quantity without a right answer.
 };
-inline constexpr std::array<std::string_view, 13> kReasonNames = {"",
-                                                                  "not in pictures",
-                                                                  "of renderers",
-                                                                  "needs",
-                                                                  "follows",
-                                                                  "time is up",
-                                                                  "interrupted",
-                                                                  "other colours",
-                                                                  "unanswered",
-                                                                  "nothing to compare",
-                                                                  "never right",
-                                                                  "nothing runs",
-                                                                  "cannot be said"};
+/// The kinds of reasons: their names in JSON, and their texts, with the members of ItemReason in
+/// braces ({is_state}: "is left out", but "fails").
+struct ReasonWords {
+  std::string_view name, text;
+};
+inline constexpr std::array<ReasonWords, 13> kReasons = {
+    {{"", ""},
+     {"not in pictures", "cannot be judged from a picture"},
+     {"of renderers", "only for submissions that draw pictures"},
+     {"needs", "'{item}' must have all points first, but {is_state}"},
+     {"follows", "because of the mistake in '{item}'"},
+     {"time is up", "time is up: the limit for all questions together is {seconds} s"},
+     {"interrupted", "interrupted"},
+     {"other colours", "its colours do not identify the spheres"},
+     {"unanswered", "{law}: {said}"},
+     {"nothing to compare", "there was nothing to compare"},
+     {"never right", "{quantity}: all answers are excused, none is right"},
+     {"nothing runs", "the submission could not be judged"},
+     {"cannot be said", "its cases cannot be written in the input format of the program"}}};
 
 struct ItemGrade {
   std::string name;
@@ -179,19 +176,37 @@ struct OpaqueFile {
   std::uintmax_t bytes = 0;
 };
 
+/// The findings about a submission while it is prepared, as far as it got.
+struct Preparation {
+  /// The candidate as for --candidate; absent if no form fits.
+  std::optional<CandidateSpec> program = {};
+  std::vector<std::string> files = {};  ///< The files at the top, with notebooks' modules.
+  std::string adapter = {};             ///< The name of its form's adapter; or empty.
+  bool built_automatically = false;     ///< Its form has build = "auto".
+  /// The shell command that built it in a copy of its folder; empty: nothing had to be built, or
+  /// raycheck compiled it.
+  std::string build_words = {};
+  std::optional<double> build_seconds = {};  ///< Absent: there is no program to start.
+  /// Remarks on the build: "its Makefile failed; built from its sources".
+  std::vector<std::string> notes = {};
+  std::set<std::string> functions = {};  ///< The functions it implements; empty for a renderer.
+  std::optional<DryRun> dry_run = {};    ///< For a renderer.
+  std::vector<OpaqueFile> opaque_files = {};
+
+  /// The form of its driver files, for a renderer.
+  DriverForm driver() const { return dry_run ? dry_run->driver : DriverForm{}; }
+  bool is_renderer() const { return program && program->kind == CandidateKind::kRenderer; }
+};
+
 struct SubmissionGrade {
   std::string name;
-  std::optional<CandidateSpec> program;  ///< The program as it was run; absent if there is none.
-  /// The shell command that built the submission in a copy of its folder; empty if nothing had to
-  /// be built, or if raycheck compiled it.
-  std::string build_words = {};
-  std::string adapter = {};  ///< The name of its form's adapter; or empty.
-  DriverForm driver = {};    ///< For a renderer: the form of its driver files.
-  /// Remarks on the dry run and the build, a sentence each.
+  Preparation found;
+  /// Remarks on the build, the dry run and the cases, a sentence each, as plain text.
   std::vector<std::string> notes = {};
-  std::vector<OpaqueFile> opaque_files = {};  ///< Files that instructors should look at.
   Layers isolation;
   std::optional<Refusal> refused;
+  /// The cause if a failure is not the submission's fault, so that there is no grade; or empty.
+  std::string outside = {};
   /// The time for the build and the dry run, and the time for all questions of the rubric.
   double build_seconds = 0, judge_seconds = 0;
   bool build_is_stored = false;  ///< Whether the build came from the store.
@@ -210,41 +225,24 @@ std::string inexpressible_text(const SubmissionGrade& grade);
 /// Whether the submission ran. If not, its points mean nothing.
 inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }
 
-/// The total times of the submissions that this run graded.
-struct GradingTimes {
-  double build_seconds = 0, judge_seconds = 0;
-  std::uint64_t stored_builds = 0;  ///< The number of submissions whose build was in the store.
-};
-
 struct ClassGrade {
   Rubric rubric;
   std::string out;  ///< The folder of results; empty if nothing is written.
   std::vector<SubmissionGrade> submissions;  ///< In the given order, as far as reached.
   std::optional<LayersHere> isolation = {};  ///< Absent if no submission was run.
+  bool interrupted = false;
+
   /// The number of submissions not graded for a reason that is not their fault; the next run tries
   /// them again.
-  std::uint64_t not_graded = 0;
-  bool interrupted = false;
-  std::optional<GradingTimes> times = {};  ///< Absent if no submission was run.
+  std::ptrdiff_t not_graded() const {
+    return std::ranges::count_if(submissions, [](const auto& one) { return !one.outside.empty(); });
+  }
 };
 
 using Submissions = std::vector<const SubmissionGrade*>;
 
 /// The submissions that could be judged, or could not, in the order of the class.
 Submissions submissions_that(const ClassGrade& graded, bool are_judged);
-
-/// The middle value, or the mean of the two middle values; empty if there are none.
-std::optional<double> median(std::vector<double> values);
-
-struct ItemStatistics {
-  const Item* item = nullptr;
-  std::size_t asked = 0;  ///< The number of judged submissions that were asked.
-  std::size_t failing = 0;
-  std::size_t left_out = 0;  ///< Left out, or not judged because the time was up.
-};
-/// The statistics of each item, in the order of the rubric.
-/// Domain: grades of `graded.rubric`, which outlives the result.
-std::vector<ItemStatistics> item_statistics(const ClassGrade& graded);
 
 /// A mistake, and the submissions that have it.
 struct MistakeStatistics {

@@ -27,6 +27,8 @@ constexpr double kMostSeconds = 86400;
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr std::int64_t kMostCases = 1000000;
 constexpr std::int64_t kMostOfLimit = std::int64_t{1} << 20;
+constexpr std::string_view kNotNegative = "must be 0 or more, and finite";
+constexpr std::string_view kShare = "must be between 0 and 1";
 /// File systems allow at most 255 bytes.
 constexpr std::size_t kLongestName = 80;
 
@@ -53,11 +55,9 @@ class RubricReader {
     fields_.choose(file, "precision", scene::kPrecisionNames, rubric.precision);
     unit_ = scene::unit_roundoff(rubric.precision);
     rubric.image_change = properties::excused_image_change(rubric.precision);
-    set_not_negative(file, "image_change", rubric.image_change);
-    set_not_negative(file, "t_threshold", rubric.t_threshold);
-    if (const auto field = fields_.optional(file, "unjudged")) {
-      rubric.unjudged = number_between(*field, 0, 1, "must be between 0 and 1");
-    }
+    set_between(file, "image_change", 0, kLargest, kNotNegative, rubric.image_change);
+    set_between(file, "t_threshold", 0, kLargest, kNotNegative, rubric.t_threshold);
+    set_between(file, "unjudged", 0, 1, kShare, rubric.unjudged);
     if (const auto field = fields_.optional(file, "bounds")) {
       try {
         rubric.bounds = find_pair(fields_.text(*field));
@@ -101,9 +101,11 @@ class RubricReader {
       if (*value == 0) fields_.fail(*field, "must be above 0");
     }
   }
-  void set_not_negative(const Table& from, std::string_view key, double& value) const {
+  template <class Number>
+  void set_between(const Table& from, std::string_view key, double least, double most,
+                   std::string_view what, Number& value) const {
     if (const auto field = fields_.optional(from, key)) {
-      value = number_between(*field, 0, kLargest, "must be 0 or more, and finite");
+      value = number_between(*field, least, most, what);
     }
   }
 
@@ -115,7 +117,7 @@ class RubricReader {
          {std::pair("ulp", &result.ulp), std::pair("conditioning", &result.conditioning)}) {
       const auto given = fields_.optional(from, key);
       if (!given) continue;
-      *value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
+      *value = number_between(*given, 0, kLargest, kNotNegative);
       if (**value * unit_ >= 1) {
         fields_.fail(*given, "allows every answer; the unit is an ulp of the rubric's precision");
       }
@@ -193,8 +195,9 @@ class RubricReader {
          {"disk_mib", &limits.disk_mib},
          {"memory_mib", &limits.memory_mib},
          {"processes", &limits.processes}}};
-    fields_.require_known(from, {"seconds", "reply_seconds", "build_seconds", "submission_mib",
-                                 "files", "file_mib", "disk_mib", "memory_mib", "processes"});
+    std::vector<std::string_view> known = {"seconds", "reply_seconds", "build_seconds"};
+    for (const auto& [key, value] : whole) known.push_back(key);
+    fields_.require_known(from, known);
     read_seconds(from, rubric);
     for (const auto& [key, value] : whole) {
       const auto field = fields_.optional(from, key);
@@ -224,7 +227,6 @@ class RubricReader {
     for (const Field& step : fields_.list(*field)) {
       const auto pair = fields_.list(step);
       if (pair.size() != 2) fields_.fail(step, "must be [share, credit]");
-      constexpr std::string_view kShare = "must be between 0 and 1";
       item.steps.push_back(
           {number_between(pair[0], 0, 1, kShare), number_between(pair[1], 0, 1, kShare)});
     }
@@ -289,9 +291,7 @@ class RubricReader {
       result.laws = properties::laws_that(
           [](const properties::Law& law) { return law.per == properties::Per::kImage; });
       fields_.choose(from, "judge", kJudgeNames, result.masks_only);
-      if (const auto change = fields_.optional(from, "image_change")) {
-        result.image_change = number_between(*change, 0, 1, "must be between 0 and 1");
-      }
+      set_between(from, "image_change", 0, 1, kShare, result.image_change);
       if (const auto vary = fields_.optional(from, "vary")) result.vary = variations(*vary);
     } else {
       const Field laws = fields_.required(from, "laws");
@@ -302,9 +302,7 @@ class RubricReader {
         }
       }
       if (result.laws.empty()) fields_.fail(laws, "is empty; give at least one law");
-      bool given = false;
-      fields_.choose(from, "rays", kRaysNames, given);
-      result.given_rays = given;
+      fields_.choose(from, "rays", kRaysNames, result.given_rays);
     }
     if (const auto scenes = fields_.optional(from, "scenes")) {
       for (const Field& name : fields_.list(*scenes))

@@ -74,8 +74,6 @@ std::string rubrics_text() {
   return text;
 }
 
-std::string rubric_file(const std::string& name) { return scene::file_text(rubric_path(name)); }
-
 std::string copy_rubric(const std::string& name, const std::string& out) {
   const fs::path from = rubric_path(name);
   const Rubric rubric = load_rubric(from);

@@ -301,10 +301,8 @@ void OwnFiles::write(const fs::path& name, const std::string& text) {
   OutputFile("out", out_ / name).write(text);
 }
 
-void OwnFiles::make_folder(const fs::path& name) const { tools::make_folder("out", out_ / name); }
-
 void OwnFiles::replace(const fs::path& folder, const std::map<std::string, std::string>& files) {
-  make_folder(folder);
+  make_folder("out", out_ / folder);
   for (const auto& entry : fs::directory_iterator(out_ / folder)) {
     const std::string name = entry.path().filename();
     if (name != kRecordFile && !files.contains(name) && is_own(folder / name)) {

@@ -82,8 +82,6 @@ class OwnFiles {
 
   /// Throws std::invalid_argument naming the file if it exists and raycheck did not write it.
   void require_own(const std::filesystem::path& name) const;
-  /// Makes a folder if it does not exist. Errors: std::invalid_argument.
-  void make_folder(const std::filesystem::path& name) const;
   /// Writes a file. Replaces a file only if raycheck wrote it. Errors: as require_own();
   /// std::runtime_error if it could not be written.
   void write(const std::filesystem::path& name, const std::string& text);

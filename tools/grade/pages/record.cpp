@@ -1,7 +1,8 @@
-#include "tools/grade/results/record.h"
+#include <functional>
 
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
+#include "tools/grade/pages/views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -32,15 +33,16 @@ Json origin_json(const CaseOrigin& origin) {
   return {{"source", origin.source}, {"case", origin.number}};
 }
 
-Json answer_json(const WrongAnswer& answer) {
+Json answer_json(const properties::Discrepancy& answer) {
   Json json = {{"quantity", info(answer.quantity).name}};
   json.update(place_json(answer.place));
-  json["part"] = answer.part;
+  json["part"] = plain_text(answer.what);
   json["wrong"] = name(answer.wrong);
   json["symbol"] = answer.symbol;
   json["got"] = hexfloats(answer.got);
-  json["exact"] = or_null(answer.exact, hexfloats);
-  json["error"] = error_json(answer.error);
+  json["exact"] = hexfloats(answer.exact);
+  const bool is_measured = answer.wrong == properties::Wrong::kNot;
+  json["error"] = is_measured ? error_json(answer.error) : Json(nullptr);
   json["unit"] = unit_name(answer.quantity, answer.precision);
   json["condition"] = error_json(answer.condition);
   return json;
@@ -74,7 +76,7 @@ Json answers_json(const RayAnswers& answers) {
 }
 
 Json failing_json(const FailingCase& failing) {
-  return {{"law", failing.law},
+  return {{"law", failing.answer.law},
           {"origin", origin_json(failing.origin)},
           {"step", or_null(failing.step)},
           {"answer", answer_json(failing.answer)},
@@ -91,7 +93,7 @@ Json first_wrong_json(const FirstWrongAnswer& first) {
 Json reason_json(const ItemReason& reason) {
   using Kind = ItemReason::Kind;
   if (reason.kind == Kind::kNone) return nullptr;
-  Json json = {{"kind", kReasonNames[static_cast<std::size_t>(reason.kind)]}};
+  Json json = {{"kind", kReasons[static_cast<std::size_t>(reason.kind)].name}};
   const auto is = [&](Kind kind) { return reason.kind == kind; };
   if (is(Kind::kNeeds) || is(Kind::kFollows)) json["item"] = reason.item;
   if (is(Kind::kNeeds)) json["state"] = name(reason.state);
@@ -147,11 +149,11 @@ Json driver_json(const DriverForm& form) {
 
 Json record_json(const SubmissionGrade& grade) {
   return {{"name", grade.name},
-          {"program", or_null(grade.program, std::mem_fn(&CandidateSpec::text))},
-          {"build", grade.build_words},
-          {"driver", driver_json(grade.driver)},
+          {"program", or_null(grade.found.program, std::mem_fn(&CandidateSpec::text))},
+          {"build", grade.found.build_words},
+          {"driver", driver_json(grade.found.driver())},
           {"notes", grade.notes},
-          {"opaque_files", list_json(grade.opaque_files, file_json)},
+          {"opaque_files", list_json(grade.found.opaque_files, file_json)},
           {"isolated_by", grade.isolation.text()},
           {"refused", or_null(grade.refused, refusal_json)},
           {"build_seconds", grade.build_seconds},
