@@ -72,8 +72,8 @@ std::function<void(Discrepancy&)> describe_wrong(const PairAnswer& first, const 
         wrong.hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
     if (wrong.hit != nullptr && !d.got_some_sphere) d.got = {wrong.hit->parameter};
     if (!trial.exact_hit(wrong.ray, wrong.sphere_index)) return;
-    d.exact = {rounded_s(trial.exact_ray(wrong.ray), wrong.sphere(), wrong.exact(),
-                         trial.candidate())};
+    d.exact = {
+        rounded_s(trial.exact_ray(wrong.ray), wrong.sphere(), wrong.exact(), trial.candidate())};
   };
 }
 
@@ -95,7 +95,9 @@ bool compare_classes(const PairAnswer& first, const PairAnswer& second, const Pl
   const Wrong wrong = !differ ? Wrong::kNot : is_hit ? Wrong::kMissed : Wrong::kFalseHit;
   trial.judge(
       verdict, {Quantity::kClass, expected, place, wrong},
-      [&] { return trial.excuse({first.answer(), second.answer()}); },
+      [&] {
+        return trial.excuse({first.answer(), second.answer()});
+      },
       describe_wrong(first, second, (first.hit != nullptr) != is_hit, by));
   return first.hit != nullptr && second.hit != nullptr;
 }
@@ -121,11 +123,14 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
     if (is_at_other && !is_other_root) {
       return verdict.not_right(Quantity::kRoot, root_expected(at));
     }
-    trial.judge(verdict,
-                {Quantity::kRoot, root_expected(at), place,
-                 is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
-                [&] { return trial.excuse({first.answer(), second.answer()}); },
-                describe_wrong(first, second, is_at_other, by.what));
+    trial.judge(
+        verdict,
+        {Quantity::kRoot, root_expected(at), place,
+         is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
+        [&] {
+          return trial.excuse({first.answer(), second.answer()});
+        },
+        describe_wrong(first, second, is_at_other, by.what));
     if (is_other_root) return;
   }
   trial.measure(

@@ -26,7 +26,7 @@ struct FormatPart {
 
 /// A keyword, and what comes after it.
 struct FormatStatement {
-  std::vector<FormatPart> parts;  ///< If the first is no literal word, it is only written.
+  std::vector<FormatPart> parts;  ///< If the first is not a literal word, it is only written.
   std::string text;               ///< As in the template, with its line end.
   bool is_of_sphere = false;      ///< Whether it is repeated for each sphere.
 };

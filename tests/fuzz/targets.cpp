@@ -4,6 +4,7 @@
 
 #include "properties/search/campaign.h"
 #include "properties/search/worst_case.h"
+#include "scene/files/format.h"
 #include "scene/files/scene_file.h"
 #include "scene/text.h"
 #include "scene/validate.h"
@@ -111,6 +112,11 @@ void fuzz_toml_scene(std::string_view bytes) {
     require_read_back(scene::read_toml(bytes, "f.toml").scene);
   } catch (const scene::SceneFileError&) {
   }
+  try {
+    const scene::FileFormat format = scene::read_format(bytes, "f.toml");
+    require_read_back(scene::read_formatted(format, "sphere 1 2 3 4\n", "f.txt").scene);
+  } catch (const scene::SceneFileError&) {
+  }
 }
 
 void fuzz_driver_file(std::string_view bytes) {
@@ -118,6 +124,14 @@ void fuzz_driver_file(std::string_view bytes) {
   require(scene::visible(shown) == shown, "visible text changes when it is made visible again");
   try {
     require_read_back(scene::read_driver_file(bytes, "f.txt").scene);
+  } catch (const scene::SceneFileError&) {
+  }
+  // One of the formats, as another byte is read.
+  const auto& formats = scene::formats();
+  const auto format =
+      std::next(formats.begin(), static_cast<std::ptrdiff_t>(bytes.size()) % std::ssize(formats));
+  try {
+    require_read_back(scene::read_formatted(format->second, bytes, "f.txt").scene);
   } catch (const scene::SceneFileError&) {
   }
 }

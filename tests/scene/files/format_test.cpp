@@ -106,7 +106,7 @@ TEST(ReadFormatted, NamesLineAndKeywordOfWhatIsWrong) {
                   "f.x:8: WALL: unknown keyword, ignored (first on line 8)"));
 }
 
-TEST(ReadFormat, RefusesWhatIsNoTemplate) {
+TEST(ReadFormat, RefusesWrongTemplates) {
   for (const auto& [text, says] :
        {Wrong{replaced(kWindow, "{left}", "{lef}"), "the-format.toml:2: template = "},
         {replaced(kWindow, "{left}", "{lef}"), "{lef} is not a slot"},

@@ -129,7 +129,7 @@ std::string times_text(const ClassGrade& graded);
 /// missing on this machine.
 std::string isolation_text(const LayersHere& isolation);
 
-/// The first values, as `write` writes them, and the number of others: "a, b and 3 more".
+/// The first values, as `write` writes them, and how many more there are: "a, b and 3 more".
 template <class Value, class Write>
 std::string first_text(const std::vector<Value>& values, std::size_t most, const Write& write) {
   const std::span<const Value> first(values.data(), std::min(values.size(), most));
