@@ -55,6 +55,8 @@ struct FileFormat {
   std::optional<Origin> origin = {};
 
   bool has(std::string_view slot) const;
+  /// Whether it is a user's file; then that is its name.
+  bool is_of_user() const { return name.ends_with(".toml"); }
   /// Whether its files have an angle of view in place of a window.
   bool has_angle() const { return !has("left") && !fixed.contains("left"); }
 };

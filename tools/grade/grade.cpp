@@ -27,7 +27,6 @@ using properties::RunControl;
 
 constexpr const char* kResultsFile = "results.json";  ///< For a course's system.
 constexpr const char* kSceneEnding = ".toml";
-constexpr const char* kDriverEnding = ".txt";
 
 class Stopwatch {
  public:
@@ -100,7 +99,7 @@ std::vector<std::string_view> names_of_class_files() {
 std::vector<std::string> names_for_student(const Rubric& rubric) {
   std::vector<std::string> names = {kReportFile, kFiguresFile};
   for (const Item& item : rubric.items) {
-    for (const char* ending : {kSceneEnding, kDriverEnding}) {
+    for (const std::string& ending : {std::string(kSceneEnding), rubric.driver.form.ending()}) {
       names.push_back(file_name(item.name) + ending);
     }
   }
@@ -115,8 +114,9 @@ std::map<std::string, std::string> files_for_student(const StudentGrade& shown) 
     if (!failing) continue;
     const std::string name = file_name(shown.items[k]->name);
     files[name + kSceneEnding] = scene_text(*failing);
-    const std::string driver = driver_file_text(*failing, shown.submission.found.driver());
-    if (!driver.empty()) files[name + kDriverEnding] = driver;
+    const DriverForm form = shown.submission.found.driver();
+    const std::string driver = driver_file_text(*failing, form);
+    if (!driver.empty()) files[name + form.ending()] = driver;
   }
   files[kReportFile] = report_page(shown);
   if (has_figures(shown)) files[kFiguresFile] = figures_page(shown);

@@ -69,7 +69,8 @@ cases = 6
   EXPECT_EQ(grading.result("right")["score"], 10);
   EXPECT_EQ(grading.result("half")["score"], 0);
   EXPECT_EQ(grading.result("half")["driver"]["dialect"], "ours.toml");
-  expect_parts(grading.file("half", "report.html"), {"seen_from"});
+  expect_parts(grading.file("half", "report.html"), {"seen_from", "rt.py pictures.ours out.ppm"});
+  expect_parts(grading.file("half", "pictures.ours"), {"seen_from"});
   grading.write("ours.toml", replaced(nff, "{eye}", "{eyes}"));
   const Outcome wrong = run("grade '" + rubric + "' '" + right + "' --out '" +
                                 temporary_folder("wrong") + "' " + kLimitsOnly,

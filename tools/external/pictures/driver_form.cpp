@@ -88,9 +88,17 @@ std::vector<std::string> order_of(std::string_view part, scene::Dialect dialect)
 
 }  // namespace
 
-std::string DriverForm::file_name() const {
-  if (format == nullptr || format->endings.empty()) return kSceneFile;
-  return "scene" + format->endings.front();
+std::string DriverForm::ending() const {
+  return format == nullptr || format->endings.empty() ? ".txt" : format->endings.front();
+}
+
+std::string DriverForm::file_name() const { return "scene" + ending(); }
+
+bool is_scene_file(std::string_view name) {
+  const auto has_it = [&](const auto& format) {
+    return DriverForm{.format = &format.second}.file_name() == name;
+  };
+  return name == DriverForm{}.file_name() || std::ranges::any_of(scene::formats(), has_it);
 }
 
 std::string DriverForm::text() const {

@@ -32,8 +32,8 @@ inline constexpr std::array<std::string_view, 2> kDriverNumberNames = {"shortest
 /// The possible counts of numbers in a sphere's line, the likeliest first.
 inline constexpr std::array<int, 7> kSphereNumbers = {16, 17, 20, 13, 19, 18, 21};
 
-/// The name of a driver file in the folder of a run.
-inline constexpr const char* kSceneFile = "scene.txt";
+/// Whether the folder of a run may have a scene file of this name.
+bool is_scene_file(std::string_view name);
 
 /// The form of the scene files that a renderer reads: a variant of the driver file format, or
 /// another format, which has no variants.
@@ -50,7 +50,9 @@ struct DriverForm {
   const scene::FileFormat* format = nullptr;  ///< Of formats(); null: a driver file.
 
   friend bool operator==(const DriverForm&, const DriverForm&) = default;
-  /// The name of a file in the folder of a run.
+  /// What the names of its files end in: ".txt".
+  std::string ending() const;
+  /// The name of its file in the folder of a run.
   std::string file_name() const;
   /// "B, spheres of 16 numbers, recursionlevel 0, a light"
   std::string text() const;

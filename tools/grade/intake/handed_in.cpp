@@ -235,7 +235,7 @@ constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
 /// Whether a run needs this name for its own files.
 bool is_taken(const std::string& path) {
   const std::string top = path.substr(0, path.find('/'));
-  return top == kSceneFile || top == kImageFile;
+  return is_scene_file(top) || top == kImageFile;
 }
 
 /// The order of paths: nearer to the top first, so that a folder comes before its contents.

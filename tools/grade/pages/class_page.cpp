@@ -117,7 +117,7 @@ std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
   const std::string name = file_name(item.name);
   const std::string driver = driver_file_text(failing, form);
   std::string html = "<p>The smallest failing case, from item " + escaped(item.name) + ": ";
-  if (!driver.empty()) html += download(name + ".txt", driver) + ", ";
+  if (!driver.empty()) html += download(name + form.ending(), driver) + ", ";
   html += download(name + ".toml", scene_text(failing)) + "</p>\n";
   return html + pictures_html(failing, "theirs") + "<p>" + escaped(answer_text(failing)) + "</p>\n";
 }

@@ -54,11 +54,12 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   if (graded.failing) {
     const std::string name = file_name(item.name);
     const std::string scene = scene_text(*graded.failing);
-    const std::string driver = driver_file_text(*graded.failing, grade.submission.found.driver());
+    const DriverForm form = grade.submission.found.driver();
+    const std::string driver = driver_file_text(*graded.failing, form);
     std::string links = "Save the case beside your program: ";
     if (!driver.empty()) {
-      links += download(name + ".txt", driver) + " (driver file), ";
-      files += file_html(name + ".txt", driver);
+      links += download(name + form.ending(), driver) + " (driver file), ";
+      files += file_html(name + form.ending(), driver);
     }
     step(links + download(name + ".toml", scene) + " (scene)");
     files += file_html(name + ".toml", scene);
@@ -118,8 +119,13 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
                         "(" + grade.submission.found.build_words + ")"});
   }
   if (is_renderer) {
-    std::string words = boost::replace_all_copy(program->what, "{scene}", name + ".txt");
+    const DriverForm form = grade.submission.found.driver();
+    std::string words = boost::replace_all_copy(program->what, "{scene}", name + form.ending());
     boost::replace_all(words, "{image}", "out.ppm");
+    if (const auto& camera = item.failing->the_case.scene.camera) {
+      boost::replace_all(words, "{width}", std::to_string(camera->width));
+      boost::replace_all(words, "{height}", std::to_string(camera->height));
+    }
     commands.push_back({"Draw the case", std::move(words)});
   }
   std::string check =
