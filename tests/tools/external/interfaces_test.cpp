@@ -100,7 +100,7 @@ const std::vector<Called> kCalled = {
      "  return hit && hit->parameter <= 1 ? hit : std::nullopt;\n}\n",
      ".intersect = inner"}};
 
-/// Those of single tests: without a form of its own; half of the way to the image plane; from
+/// Those of single tests: plain functions; half of the way to the image plane; from
 /// before there were corners, so that it follows edges and centres; and with both roots, the other
 /// of which is off by a factor.
 const std::vector<Called> kSingle = {
