@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "fast/pixel_ray.h"
@@ -80,25 +81,26 @@ struct Input {
   std::vector<Pixel> pixels;
 };
 
-/// Makes the candidate use the mistake's camera, conventions and pixels.
+/// Makes the candidate use the mistake's camera, conventions and pixels. The functions share what
+/// they are made of: pairs of mistakes are made by the thousand.
 void change_camera(const Mistake& mistake, Candidate& candidate) {
-  const Candidate right = candidate;
-  candidate.frame = [right, mistake](const Camera& camera) {
-    return right.frame(*Input(mistake, camera, {}, {}).scene.camera);
+  const auto right = std::make_shared<const Candidate>(candidate);
+  candidate.frame = [right, &mistake](const Camera& camera) {
+    return right->frame(*Input(mistake, camera, {}, {}).scene.camera);
   };
-  candidate.pixel_points = [right, mistake](const Camera& camera, const Conventions& conventions,
-                                            Candidate::Pixels pixels) {
+  candidate.pixel_points = [right, &mistake](const Camera& camera, const Conventions& conventions,
+                                             Candidate::Pixels pixels) {
     const Input input(mistake, camera, conventions, pixels);
-    return right.pixel_points(*input.scene.camera, input.scene.conventions, input.pixels);
+    return right->pixel_points(*input.scene.camera, input.scene.conventions, input.pixels);
   };
   const auto rays_from = [&](Origin origin) {
-    return [right, mistake, origin](const Camera& camera, Conventions conventions,
-                                    Candidate::Pixels pixels) {
+    return [right, &mistake, origin](const Camera& camera, Conventions conventions,
+                                     Candidate::Pixels pixels) {
       conventions.origin = origin;
       const Input input(mistake, camera, conventions, pixels);
       const scene::Scene& taken = input.scene;
-      return right.rays_from(taken.conventions.origin)(*taken.camera, taken.conventions,
-                                                       input.pixels);
+      return right->rays_from(taken.conventions.origin)(*taken.camera, taken.conventions,
+                                                        input.pixels);
     };
   };
   candidate.pixel_rays = rays_from(Origin::kPixel);
@@ -108,8 +110,8 @@ void change_camera(const Mistake& mistake, Candidate& candidate) {
 /// Makes the candidate use the mistake's spheres and conventions.
 void change_spheres(const Mistake& mistake, Candidate& candidate) {
   const auto taking = [&mistake](const auto& answer) {
-    return [mistake, answer](Candidate::Rays rays, Candidate::Spheres given,
-                             const Conventions& conventions) {
+    return [&mistake, answer](Candidate::Rays rays, Candidate::Spheres given,
+                              const Conventions& conventions) {
       const scene::Scene taken =
           mistaken(mistake, {{}, {}, {given.begin(), given.end()}, conventions});
       return answer(rays, taken.spheres, taken.conventions);
@@ -189,7 +191,8 @@ std::vector<const Mistake*> in_order(std::span<const Mistake* const> some) {
 }
 
 Candidate candidate_with(std::span<const Mistake* const> mistakes) {
-  Candidate candidate = right_candidate();
+  static const Candidate kRight = right_candidate();
+  Candidate candidate = kRight;
   use_hits(mistakes, candidate);
   for (const Mistake* one : mistakes) {
     if (one->makes_rays()) use(one->rays, candidate);

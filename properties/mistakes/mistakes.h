@@ -80,7 +80,8 @@ struct Mistake {
 std::span<const Mistake> mistakes();
 /// Sorts mistakes as in mistakes(), the order in which they are applied.
 std::vector<const Mistake*> in_order(std::span<const Mistake* const> some);
-/// A candidate that makes all these mistakes. Domain: mistakes that can be together (fault.h).
+/// A candidate that makes all these mistakes. Domain: mistakes of mistakes() that can be together
+/// (fault.h).
 Candidate candidate_with(std::span<const Mistake* const> mistakes);
 /// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);

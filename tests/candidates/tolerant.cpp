@@ -7,10 +7,9 @@
 
 using namespace raycheck;
 
-#ifndef TOLERANCE
+#ifndef CONTRACT
 #define CONTRACT "tolerance_c 1e-12"
-#define TOLERANCE 1e-12
-#define IS_ON_SURFACE std::abs(c) <= TOLERANCE
+#define IS_ON_SURFACE std::abs(c) <= 1e-12
 #define TOUCHES false
 #endif
 

@@ -227,7 +227,7 @@ const std::string& compiled(const std::string& source) {
   if (library.empty()) {
     library = temporary_file("compiled" + std::to_string(libraries.size()) + ".so", "");
     const std::string words = "cd '" RAYCHECK_SOURCE_DIR
-                              "' && g++ -std=c++20 -O1 -g -fPIC -shared -Iinclude "
+                              "' && g++ -std=c++20 -O1 -fPIC -shared -Iinclude "
                               "-isystem /usr/include/eigen3 -o '" +
                               library + "' '" + source + "'";
     EXPECT_EQ(std::system(words.c_str()), 0) << words;

@@ -100,27 +100,60 @@ const std::vector<Called> kCalled = {
      "  return hit && hit->parameter <= 1 ? hit : std::nullopt;\n}\n",
      ".intersect = inner"}};
 
-/// It declares `contract`, which replaces a mark in a copy of the library, so that each is compiled
-/// once.
-std::string candidate(const Called& called, const std::string& contract) {
-  const std::string mark(96, '@');
-  static std::map<std::string, std::string> libraries;
-  std::string& library = libraries[called.name];
-  if (library.empty()) {
-    std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp");
-    text.resize(text.rfind("RAYCHECK_CANDIDATE("));
-    const std::string built = compiled(temporary_file(
-        called.name + ".cpp", text + called.functions + "const char contract_of[] = \"" + mark +
-                                  "\";\nRAYCHECK_CANDIDATE(" + called.members +
-                                  ", .contract = contract_of)\n"));
-    library = contents(built.substr(built.find(':') + 1));
+/// Those of single tests: plain functions; half of the way to the image plane; from
+/// before there were corners, so that it follows edges and centres; and with both roots, the other
+/// of which is off by a factor.
+const std::vector<Called> kSingle = {
+    {"plain", "", "", "", "", ".pixel_ray = pixel_ray, .intersect = intersect"},
+    {"half", "", "", "",
+     "Ray half(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
+     "  return {camera.eye, out(0.5 * sight(camera, asked, pixel))};\n}\n",
+     ".focal_ray = half"},
+    {"older", "", "", "",
+     "Ray older(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
+     "  Conventions at = asked;\n"
+     "  if (asked.samples == Samples::corners) at.samples = Samples::centres;\n"
+     "  return pixel_ray(camera, at, pixel);\n}\n",
+     ".pixel_ray = older"},
+    {"both", "", "", "",
+     "template <int kOff>\n"
+     "std::optional<Hit> both(const Ray& ray, const Sphere& ball, const Conventions&) {\n"
+     "  const Vector3 origin = in(ray.origin), d = in(ray.direction);\n"
+     "  const Vector3 to = in(ball.centre) - origin;\n"
+     "  const double a = d.squaredNorm(), b = to.dot(d), r = ball.radius;\n"
+     "  const double discriminant = a * r * r - to.cross(d).squaredNorm();\n"
+     "  if (discriminant < 0) return {};\n"
+     "  const double q = b + std::copysign(std::sqrt(discriminant), b);\n"
+     "  const double length = to.norm();\n"
+     "  const double one = q / a, other = q == 0 ? 0 : (length - r) * (length + r) / q;\n"
+     "  return Hit{std::min(one, other), {(1 + kOff * 1e-9) * std::max(one, other), 0, 0}};\n}\n",
+     ".tangent = Tangent::hit, .intersect = both<0>, .returns = Returns::roots"},
+    {"both_off", "", "", "", "",
+     ".tangent = Tangent::hit, .intersect = both<1>, .returns = Returns::roots"}};
+
+/// All of them in one library, from right.cpp without its last statement.
+std::string source_of_all() {
+  std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), offers;
+  text.resize(text.rfind("RAYCHECK_CANDIDATE("));
+  for (const std::vector<Called>& some : {kCalled, kSingle}) {
+    for (const Called& called : some) {
+      text += called.functions;
+      offers += "  if (is_chosen(\"" + called.name + "\")) return raycheck::detail::offer({" +
+                called.members + ", .contract = contract_of()});\n";
+    }
   }
-  std::string declaring = library;
-  const std::size_t at = declaring.find(mark);
-  EXPECT_NE(at, std::string::npos);
-  declaring.replace(at, contract.size() + 1, contract.c_str(), contract.size() + 1);
-  return "library:" +
-         temporary_file(called.name + std::to_string(contract.size()) + ".so", declaring);
+  return kChoice + text +
+         "extern \"C\" const raycheck_candidate* raycheck_candidate_functions(void) {\n" + offers +
+         "  return nullptr;\n}\n";
+}
+
+std::string candidate(const Called& called, const std::string& contract) {
+  static const std::string all = compiled(temporary_file("called.cpp", source_of_all()));
+  return chosen(all, called.name, contract);
+}
+
+const Called& single(const std::string& name) {
+  return *std::ranges::find(kSingle, name, &Called::name);
 }
 
 Outcome judged_by(const Called& called, const std::string& contract, const std::string& laws) {
@@ -153,7 +186,6 @@ TEST(Interfaces, of_segments_without_a_largest_s_are_told_so) {
 
 /// Plain functions that declare what they do not follow.
 TEST(Interfaces, that_are_not_followed_are_broken) {
-  const Called plain = {"plain", "", "", "", "", ".pixel_ray = pixel_ray, .intersect = intersect"};
   for (const auto& [contract, law, says] :
        {std::tuple("pixels row-column", "direction", "pixels = column-row"),
         {"spheres diameter", "class", "spheres = radius"},
@@ -161,29 +193,18 @@ TEST(Interfaces, that_are_not_followed_are_broken) {
         {"from_inside start", "nearest-root", "from_inside = root"},
         {"from_inside near-root", "nearest-root", "from_inside = root"},
         {"rays end", "class", "rays = direction"}}) {
-    const Outcome outcome = judged_by(plain, contract, std::string("--filter ") + law);
+    const Outcome outcome = judged_by(single("plain"), contract, std::string("--filter ") + law);
     EXPECT_EQ(outcome.exit_code, 1) << contract;
     expect_parts(outcome.out,
                  {std::string("right under ") + says + ", which the candidate does not declare"});
   }
 }
 
-/// Code from before there were corners follows edges and centres.
-const Called kOlder = {"older",
-                       "",
-                       "",
-                       "",
-                       "Ray older(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
-                       "  Conventions at = asked;\n"
-                       "  if (asked.samples == Samples::corners) at.samples = Samples::centres;\n"
-                       "  return pixel_ray(camera, at, pixel);\n}\n",
-                       ".pixel_ray = older"};
-
 TEST(Corners, are_in_random_cases_for_those_who_follow_them) {
-  const Outcome unasked = judged_by(kOlder, "", "");
+  const Outcome unasked = judged_by(single("older"), "", "");
   EXPECT_EQ(unasked.exit_code, 0) << unasked.out;
   for (const char* contract : {"corners as-asked", "samples corners"}) {
-    const Outcome asked = judged_by(kOlder, contract, "--filter direction");
+    const Outcome asked = judged_by(single("older"), contract, "--filter direction");
     EXPECT_EQ(asked.exit_code, 1) << asked.out;
     // Right answers under edges contradict "at their centres", and no other contract is named.
     EXPECT_EQ(asked.out.find("right under"), std::string::npos) << asked.out;
@@ -283,28 +304,9 @@ TEST(Interfaces, are_declared_in_every_language) {
 
 /// Both roots are judged, also the one that does not count.
 TEST(Interfaces, that_return_both_roots_must_be_right_in_both) {
-  Called both = {
-      "both",
-      "",
-      "parameter",
-      "",
-      "std::optional<Hit> both(const Ray& ray, const Sphere& ball, const Conventions&) {\n"
-      "  const Vector3 origin = in(ray.origin), d = in(ray.direction);\n"
-      "  const Vector3 to = in(ball.centre) - origin;\n"
-      "  const double a = d.squaredNorm(), b = to.dot(d), r = ball.radius;\n"
-      "  const double discriminant = a * r * r - to.cross(d).squaredNorm();\n"
-      "  if (discriminant < 0) return {};\n"
-      "  const double q = b + std::copysign(std::sqrt(discriminant), b);\n"
-      "  const double length = to.norm();\n"
-      "  const double one = q / a, other = q == 0 ? 0 : (length - r) * (length + r) / q;\n"
-      "  return Hit{std::min(one, other), {FACTOR * std::max(one, other), 0, 0}};\n}\n",
-      ".tangent = Tangent::hit, .intersect = both, .returns = Returns::roots"};
-  const std::string text = both.functions;
-  for (const auto& [factor, exit_code] : {std::pair("1", 0), {"(1 + 1e-9)", 1}}) {
-    both.functions = std::string("#define FACTOR ") + factor + "\n" + text;
-    both.name = "both" + std::to_string(exit_code);
+  for (const auto& [name, exit_code] : {std::pair("both", 0), {"both_off", 1}}) {
     for (const char* contract : {"", "t_min 1e-3; t_max 1e9; culling front-faces"}) {
-      const Outcome outcome = judged_by(both, contract, "");
+      const Outcome outcome = judged_by(single(name), contract, "");
       EXPECT_EQ(outcome.exit_code, exit_code) << contract << outcome.out << outcome.err;
       if (exit_code != 0 && *contract == 0) expect_parts(outcome.out, {"the other root"});
     }
@@ -313,13 +315,7 @@ TEST(Interfaces, that_return_both_roots_must_be_right_in_both) {
 
 /// s = 1 is on the image plane: half of P - E is another direction, although of the same line.
 TEST(Interfaces, of_directions_to_the_image_plane_have_its_length) {
-  const Called half = {"half",
-                       "",
-                       "pixel-point",
-                       "",
-                       "Ray half(const Camera& camera, const Conventions& asked, Pixel pixel) {\n"
-                       "  return {camera.eye, out(0.5 * sight(camera, asked, pixel))};\n}\n",
-                       ".focal_ray = half"};
+  const Called& half = single("half");
   EXPECT_EQ(judged_by(half, "made_directions any", "--filter direction").exit_code, 0);
   const Outcome outcome = judged_by(half, "made_directions image-plane", "--filter pixel-point");
   EXPECT_EQ(outcome.exit_code, 1);

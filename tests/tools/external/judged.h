@@ -70,6 +70,24 @@ rc.run('mine', intersect=intersect, root='nearest', **{'tangent': 'either'} | di
                                                        says + "))\n");
 }
 
+/// The first lines of a candidate's source that makes one library of several candidates: of each,
+/// chosen() makes a copy, in which these are its name and its declarations.
+inline const std::string kChoice =
+    "#include <cstring>\nchar choice[] = \"" + std::string(96, '@') + "\";\n" +
+    "bool is_chosen(const char* name) { return std::strcmp(choice, name) == 0; }\n"
+    "const char* contract_of() { return choice + std::strlen(choice) + 1; }\n";
+
+inline std::string chosen(const std::string& library, const std::string& name,
+                          const std::string& contract) {
+  static int count = 0;
+  std::string bytes = contents(library.substr(library.find(':') + 1));
+  const std::string choice = name + '\0' + contract + '\0';
+  const std::size_t at = bytes.find(std::string(96, '@'));
+  EXPECT_NE(at, std::string::npos) << library;
+  bytes.replace(at, choice.size(), choice);
+  return "library:" + temporary_file(name + std::to_string(++count) + ".so", bytes);
+}
+
 /// The processes whose command line contains this text.
 inline std::vector<pid_t> processes_with(const std::string& text) {
   std::vector<pid_t> found;

@@ -12,23 +12,30 @@ struct Tolerant {
   std::string statement(const std::string& of) const { return "tolerance_" + name + " " + of; }
 };
 const std::vector<Tolerant> kTolerant = {
-    {"discriminant", "1e-06", "1e-08", "std::abs(4 * under) <= TOLERANCE", "false"},
-    {"d_sq", "1e-06", "1e-08", "std::abs(under) / a <= TOLERANCE", "false"},
-    {"distance", "1e-07", "1e-09", "std::abs(apart - r) <= TOLERANCE", "false"},
-    {"radii", "1e-07", "1e-09", "std::abs(apart - r) <= TOLERANCE * r", "false"},
-    {"c", "1e-06", "1e-08", "false", "std::abs(c) <= TOLERANCE"},
-    {"surface", "1e-07", "1e-09", "false", "std::abs(distance - r) <= TOLERANCE"},
-    {"s", "1e-06", "1e-08", "false", "std::min(std::abs(one), std::abs(other)) <= TOLERANCE"}};
+    {"discriminant", "1e-06", "1e-08", "std::abs(4 * under) <= 1e-06", "false"},
+    {"d_sq", "1e-06", "1e-08", "std::abs(under) / a <= 1e-06", "false"},
+    {"distance", "1e-07", "1e-09", "std::abs(apart - r) <= 1e-07", "false"},
+    {"radii", "1e-07", "1e-09", "std::abs(apart - r) <= 1e-07 * r", "false"},
+    {"c", "1e-06", "1e-08", "false", "std::abs(c) <= 1e-06"},
+    {"surface", "1e-07", "1e-09", "false", "std::abs(distance - r) <= 1e-07"},
+    {"s", "1e-06", "1e-08", "false", "std::min(std::abs(one), std::abs(other)) <= 1e-06"}};
 
 /// tolerant.cpp with this tolerance. It declares `contract`.
 std::string candidate(const Tolerant& tolerant, const std::string& contract) {
-  static int count = 0;
-  return compiled(temporary_file("tolerant" + std::to_string(++count) + ".cpp",
-                                 "#define CONTRACT \"" + contract + "\"\n#define TOLERANCE " +
-                                     tolerant.size + "\n#define TOUCHES " + tolerant.touches +
-                                     "\n#define IS_ON_SURFACE " + tolerant.is_on_surface +
-                                     "\n#include \"" RAYCHECK_SOURCE_DIR
-                                     "/tests/candidates/tolerant.cpp\"\n"));
+  static const std::string all = [] {
+    std::string touches = "false", is_on_surface = "false";
+    for (const Tolerant& one : kTolerant) {
+      const std::string condition = " || (is_chosen(\"" + one.name + "\") && ";
+      touches += condition + one.touches + ")";
+      is_on_surface += condition + one.is_on_surface + ")";
+    }
+    return compiled(temporary_file(
+        "tolerant.cpp", kChoice + "#define CONTRACT contract_of()\n#define TOUCHES " + touches +
+                            "\n#define IS_ON_SURFACE " + is_on_surface +
+                            "\n#include \"" RAYCHECK_SOURCE_DIR
+                            "/tests/candidates/tolerant.cpp\"\n"));
+  }();
+  return chosen(all, tolerant.name, contract);
 }
 
 TEST(Tolerances, excuse_answers_within_them_and_are_counted) {

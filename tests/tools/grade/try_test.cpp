@@ -128,15 +128,15 @@ TEST(TryCommand, names_the_file_names_for_functions_if_another_has_them) {
   const Grading grading;
   const std::string called = "import raycheck_candidate as rc\nrc.run('anna', nearest=print)\n";
   for (const char* name : {"anna.py", "anna.cpp"}) {
-    const Outcome tried = run(std::string("try --dialect B ") + kLecture7 + " '" +
+    const Outcome tried = run(std::string("try --dialect B ") + kLimitsOnly + kLecture7 + " '" +
                               grading.hand_in("in", name, called) + "/" + name + "'");
     expect_parts(tried.out,
                  {std::string(name) + " uses raycheck_candidate, but this rubric takes "
                                       "functions only from rays.cpp, rays.py, "
                                       "rays.ipynb, Rays.java: rename it; as a renderer"});
   }
-  const Outcome drawn = run(std::string("try --dialect B ") + kLecture7 + " '" +
-                            grading.hand_in("no", "rt.py", "import sys\nsys.exit(1)\n") + "'");
+  const Outcome drawn = run(std::string("try --dialect B ") + kLimitsOnly + kLecture7 + " '" +
+                            grading.hand_in("no", "rt.sh", "exit 1\n") + "'");
   EXPECT_FALSE(has(drawn.out, "rename it")) << drawn.out;
 }
 

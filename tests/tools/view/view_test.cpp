@@ -273,7 +273,7 @@ std::string renderer(const std::string& mistake) {
 
 /// Of more pixels than one chunk of a picture has.
 TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
-  constexpr int kSide = 32;
+  constexpr int kSide = 16;
   constexpr std::uint64_t kPixels = kSide * kSide;
   const std::string ten = resized_example("ten-spheres.toml", kSide);
   const json right = document_of(ten + renderer("none"))["scenes"][0]["pictures"];

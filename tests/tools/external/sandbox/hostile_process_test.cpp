@@ -1,5 +1,6 @@
 // Limits on all processes of a candidate together, and the removal of these processes.
 
+#include <sched.h>
 #include <sys/syscall.h>
 
 #include <atomic>
@@ -191,10 +192,15 @@ TEST(HostileRoom, CannotBeReservedBeyondTheSizeOfAFile) {
       {"8 kept, [95, 95, 'done', 95, 95, 95]"});
 }
 
-/// Keeps every processor busy.
+/// Keeps the processor busy to which it restricts this process.
 class Thieves {
  public:
   explicit Thieves(int count) {
+    sched_getaffinity(0, sizeof all_, &all_);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    sched_setaffinity(0, sizeof one, &one);
     for (int k = 0; k < count; ++k) {
       const pid_t pid = fork();
       if (pid == 0) {
@@ -206,15 +212,16 @@ class Thieves {
   ~Thieves() {
     for (const pid_t pid : pids_) kill(pid, SIGKILL);
     for (const pid_t pid : pids_) waitpid(pid, nullptr, 0);
+    sched_setaffinity(0, sizeof all_, &all_);
   }
 
  private:
+  cpu_set_t all_;
   std::vector<pid_t> pids_;
 };
 
 TEST(HostileNeighbours, DoNotUseUpACandidatesTime) {
-  const int processors = static_cast<int>(std::thread::hardware_concurrency());
-  const Thieves thieves(4 * processors);
+  const Thieves thieves(4);
   // It takes half of its time, without neighbours.
   const json report = judged(kScene,
                              right_after("began = time.process_time()\n"
