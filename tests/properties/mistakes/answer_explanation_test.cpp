@@ -376,7 +376,7 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceNamesBoth) {
                      left = candidate.frame](const scene::Camera& camera) {
     return FrameAnswer{left(camera).U, right(camera).V, left(camera).W};
   };
-  EXPECT_EQ(sentences_for(candidate, cases), Sentences());
+  EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
 // Both together shift only the rows, and so explain a shift that is neither of them.
