@@ -464,6 +464,10 @@ void judge_exchange(Trial& trial, Verdict& verdict) {
   if (trial.candidate().interface.directions == contract::Directions::kUnit) {
     return verdict.leave_out("the directions of segments are not unit, as the candidate needs");
   }
+  const auto& own = trial.candidate().declared.valid;
+  if (own && !own->is_usual() && *own != scene::ValidRoots{.t_max = 1}) {
+    return verdict.leave_out("the candidate declares roots other than those of rays or segments");
+  }
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     const auto [the_case, rays] = exchanged(trial, trial.scene().spheres[sphere]);
     if (rays.empty() || !is_inside_domain(trial.candidate(), the_case.scene)) continue;

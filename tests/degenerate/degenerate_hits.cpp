@@ -108,7 +108,7 @@ std::vector<Degenerate> degenerate_values(const Candidate& right) {
        of_line("near-root", reference::WhichRoot::kSmaller)},
       {"a random answer, the same for the same question",
        {"class", "parameter", "hit-point", "backward-error", "nearest-sphere", "scaling", "axes",
-        "growing-radius", "focal-and-pixel"},
+        "growing-radius", "exchange", "focal-and-pixel"},
        answering(right, "random-hits",
                  [](const Ray& ray, const Sphere& sphere, const auto&...) -> Hit {
                    auto random = random_of({ray.origin.x, ray.direction.y, sphere.centre.x,

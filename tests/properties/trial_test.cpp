@@ -41,7 +41,7 @@ TEST(Trial, BlamesNoInternalErrorOnTheCandidate) {
     EXPECT_THROW(apply(law, trial), InternalError) << law.name;
     ++tried;
   }
-  EXPECT_EQ(tried, 28);
+  EXPECT_EQ(tried, 29);
 }
 
 /// This holds for any type of exception.

@@ -172,7 +172,9 @@ TEST(ValidRootsLaws, HoldWithTheEndsOfASegmentExchanged) {
   ASSERT_TRUE(broken.failure);
   EXPECT_TRUE(has(broken.failure->verdict.worst(1).front().what, "segment exchanged"));
   one = follower();
-  one.declared.valid = scene::ValidRoots{.t_min = 0.25, .t_max = 2};
+  one.declared.valid = scene::ValidRoots{.t_min = 0.25};
+  EXPECT_TRUE(has(found(one).counts.reason, "roots other than those of rays or segments"));
+  one.declared.valid = scene::ValidRoots{};
   EXPECT_EQ(found(one).finding(), Finding::kHolds);
   EXPECT_GT(found(one).verdict.compared(), 100u);
   one.interface.directions = contract::Directions::kUnit;

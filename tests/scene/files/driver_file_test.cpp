@@ -314,8 +314,8 @@ TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
                             [](const SpherePlan& sphere) { return !sphere.pixels.empty(); }));
     ++images;
   }
-  EXPECT_EQ(scenes, 22u);
-  EXPECT_EQ(images, 19u);
+  EXPECT_EQ(scenes, 23u);
+  EXPECT_EQ(images, 20u);
 }
 
 }  // namespace

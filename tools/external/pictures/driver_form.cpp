@@ -204,9 +204,10 @@ DriverRule driver_rule(std::string_view name, const std::filesystem::path& folde
   }
   if (name.find(':') != std::string_view::npos) return {driver_form(name), false, true};
   if (const auto form = driver_preset(name)) return {*form, false, true};
+  const auto formats = scene::joined(scene::formats(), ", ", [](auto& one) { return one.first; });
   throw std::invalid_argument(fmt::format(
-      "must be one of {}, {}, {}, or a form such as B:17:no-light", preset_names(), kAuto,
-      scene::joined(scene::formats(), ", ", [](auto& one) { return one.first; })));
+      "must be one of {}, {}, or a form such as B:17:no-light; or a format: {}, or FORMAT.toml",
+      preset_names(), kAuto, formats));
 }
 
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from,
