@@ -16,7 +16,7 @@
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
-#include "tools/run/in_order.h"
+#include "tools/run/threads.h"
 #include "tools/shards/units.h"
 
 namespace raycheck::tools {
