@@ -121,7 +121,7 @@ function(raycheck_check_rooms)
     # Text reports may name options that show more.
     string(REGEX MATCHALL "\"([^\"\\\n]|\\\\.)*\"" literals "${text}")
     list(FILTER literals INCLUDE REGEX "${option}")
-    if(file MATCHES "_(text|page)[.]cpp$")
+    if(file MATCHES "_(text|page|views)[.]cpp$")
       list(FILTER literals INCLUDE REGEX "^\"--")
     endif()
     if(literals AND NOT file IN_LIST write_command_lines)

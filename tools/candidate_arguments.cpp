@@ -1,17 +1,11 @@
-#include "tools/candidate_arguments.h"
-
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <stdexcept>
-#include <string_view>
 
-#include "properties/candidate.h"
+#include "tools/edge.h"
 #include "tools/external/pictures/dry_run.h"
-#include "tools/flags.h"
 
 namespace raycheck::tools {
 
@@ -203,9 +197,9 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
   return found;
 }
 
-std::vector<Implementation> find_judged(const JudgedArguments& arguments) {
+std::vector<Implementation> find_judged(const CommonArguments& arguments) {
   auto found = find_candidates(arguments.external, parse_driver(arguments.dialect));
-  if (!arguments.name_methods()) return found;
+  if (arguments.rays.empty() && arguments.intersect.empty()) return found;
   const auto methods = built_in(chosen_methods(arguments.rays, arguments.intersect));
   found.insert(found.begin(), methods.begin(), methods.end());
   return found;

@@ -1,37 +1,25 @@
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <iterator>
-#include <memory>
 #include <new>
 #include <numeric>
-#include <span>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "properties/cases/case_text.h"
 #include "properties/failures.h"
 #include "scene/arithmetic.h"
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
-#include "scene/text.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
+#include "tools/edge.h"
 #include "tools/report/json.h"
-#include "tools/report/output_file.h"
 #include "tools/report/version.h"
 #include "tools/report/words.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 

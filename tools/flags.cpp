@@ -1,5 +1,3 @@
-#include "tools/flags.h"
-
 #include <fmt/format.h>
 
 #include <charconv>
@@ -8,7 +6,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "scene/invalid_input.h"
 #include "scene/number.h"
+#include "tools/edge.h"
 
 namespace raycheck::tools {
 
@@ -91,12 +91,12 @@ void add_rubric_dialect(CLI::App& command, std::string& dialect) {
                      "B:17:no-light, the name of a format such as nff, or a file FORMAT.toml");
 }
 
-properties::ChosenSource parse_source(std::string_view option, const std::string& name) {
+properties::ChosenSource parse_source(const std::string& name) {
   try {
     return properties::chosen_source(name);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: {}; `raycheck list` shows the sources", option, name, error.what()));
+    throw scene::InvalidInput("source", name,
+                              fmt::format("{}; `raycheck list` shows the sources", error.what()));
   }
 }
 

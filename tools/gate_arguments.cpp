@@ -1,13 +1,11 @@
-#include "tools/gate_arguments.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
 
 #include "scene/files/file_text.h"
+#include "tools/edge.h"
 
 namespace raycheck::tools {
 namespace {

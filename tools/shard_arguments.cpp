@@ -1,22 +1,15 @@
-#include "tools/shard_arguments.h"
-
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <map>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 
 #include "scene/invalid_input.h"
-#include "tools/commands.h"
+#include "tools/edge.h"
 #include "tools/external/sandbox/file_tree.h"
-#include "tools/flags.h"
 #include "tools/report/digest.h"
 #include "tools/report/version.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {

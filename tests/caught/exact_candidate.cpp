@@ -17,7 +17,7 @@ constexpr int kBits = 256;
 Sighting sighting(const ExactRay& ray, const Sphere& sphere, const Conventions& conventions,
                   const reference::EnclosedRay& enclosed, const Enclosure& length) {
   Sighting result;
-  const reference::Intersection at = ray.intersect(sphere, conventions.root);
+  const reference::Intersection at = ray.intersect(sphere, conventions);
   if (reference::counts_as_hit(at.hit_class, conventions.tangent)) {
     result.hit = {ray.rounded_parameter(sphere, at), ray.rounded_point(sphere, at)};
   }

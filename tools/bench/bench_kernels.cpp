@@ -20,6 +20,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,25 +56,35 @@ std::vector<scene::Pixel> some_pixels(std::size_t count) {
   return pixels;
 }
 
+/// A kernel of `count` answers: work(k) is the k-th, which is_right(k, answer) checks.
+template <class Work, class IsRight>
+Kernel each(std::string name, std::size_t count, const Work& work, const IsRight& is_right) {
+  using Answer = std::invoke_result_t<Work, std::size_t>;
+  const auto answers = std::make_shared<std::vector<Answer>>(count);
+  return {std::move(name), count,
+          [=] {
+            for (std::size_t k = 0; k < count; ++k) (*answers)[k] = work(k);
+          },
+          [=] {
+            std::size_t k = 0;
+            while (k < count && is_right(k, (*answers)[k])) ++k;
+            return k == count;
+          }};
+}
+
 Kernel exact_decisions() {
   const reference::ExactCamera camera(*tools::camera_of(kSide, kSide).camera, {});
   const auto pixels = some_pixels(4000);
-  const auto answers = std::make_shared<std::vector<reference::Intersection>>(pixels.size());
-  return {"exact-decisions", pixels.size(),
-          [=] {
-            for (std::size_t k = 0; k < pixels.size(); ++k) {
-              (*answers)[k] = reference::ExactRay(camera, pixels[k]).intersect(tools::kBenchSphere);
-            }
-          },
-          [=] {
-            for (std::size_t k = 0; k < pixels.size(); ++k) {
-              const auto exact = reference::ExactRay(camera, pixels[k])
-                                     .intersect(tools::kBenchSphere, scene::Root::kNearest,
-                                                {reference::Engine::kFieldOnly});
-              if (!((*answers)[k] == exact)) return false;
-            }
-            return true;
-          }};
+  const auto answer = [=](std::size_t k, reference::Engine engine) {
+    return reference::ExactRay(camera, pixels[k])
+        .intersect(tools::kBenchSphere, scene::Root::kNearest, {engine});
+  };
+  return each(
+      "exact-decisions", pixels.size(),
+      [=](std::size_t k) { return answer(k, reference::Engine::kFiltered); },
+      [=](std::size_t k, const reference::Intersection& got) {
+        return got == answer(k, reference::Engine::kFieldOnly);
+      });
 }
 
 Kernel rounded_values() {
@@ -88,60 +99,45 @@ Kernel rounded_values() {
     scene::UnitVector3 direction;
     double parameter;
   };
-  const auto answers = std::make_shared<std::vector<Values>>(pixels.size());
-  return {"rounded-values", pixels.size(),
-          [=] {
-            for (std::size_t k = 0; k < pixels.size(); ++k) {
-              const reference::ExactRay ray(camera, pixels[k]);
-              (*answers)[k] = {
-                  ray.rounded_pixel_point(), ray.rounded_direction(),
-                  ray.rounded_parameter(tools::kBenchSphere, ray.intersect(tools::kBenchSphere))};
-            }
-          },
-          [=] {
-            for (std::size_t k = 0; k < pixels.size(); ++k) {
-              const reference::ExactRay ray(camera, pixels[k]);
-              const auto at = ray.intersect(tools::kBenchSphere);
-              const Values& got = (*answers)[k];
-              const auto is_nearest = [](double value, const reference::Enclosure& wide) {
-                return value == wide.lower_rounded() && value == wide.upper_rounded();
-              };
-              if (!is_nearest(got.parameter, ray.parameter(tools::kBenchSphere, at, 400)) ||
-                  !is_nearest(got.point.x, ray.pixel_point(400).x) ||
-                  !is_nearest(got.direction.y, ray.direction(400).y)) {
-                return false;
-              }
-            }
-            return true;
-          }};
+  return each(
+      "rounded-values", pixels.size(),
+      [=](std::size_t k) {
+        const reference::ExactRay ray(camera, pixels[k]);
+        return Values{
+            ray.rounded_pixel_point(), ray.rounded_direction(),
+            ray.rounded_parameter(tools::kBenchSphere, ray.intersect(tools::kBenchSphere))};
+      },
+      [=](std::size_t k, const Values& got) {
+        const reference::ExactRay ray(camera, pixels[k]);
+        const auto at = ray.intersect(tools::kBenchSphere);
+        const auto is_nearest = [](double value, const reference::Enclosure& wide) {
+          return value == wide.lower_rounded() && value == wide.upper_rounded();
+        };
+        return is_nearest(got.parameter, ray.parameter(tools::kBenchSphere, at, 400)) &&
+               is_nearest(got.point.x, ray.pixel_point(400).x) &&
+               is_nearest(got.direction.y, ray.direction(400).y);
+      });
 }
 
 Kernel certified_s() {
   auto cases = tools::hitting_cases();
   cases.resize(2000);
-  const auto answers = std::make_shared<std::vector<double>>(cases.size());
-  return {
+  return each(
       "certified-s", cases.size(),
-      [=] {
-        for (std::size_t k = 0; k < cases.size(); ++k) {
-          const reference::ExactRay ray(cases[k].ray);
-          const auto at = ray.intersect(cases[k].sphere);
-          (*answers)[k] = reference::parameter_error(ray, cases[k].sphere, at, cases[k].answer,
-                                                     scene::Precision::kDouble)
-                              .value;
-        }
+      [=](std::size_t k) {
+        const auto& [given, sphere, answer] = cases[k];
+        const reference::ExactRay ray(given);
+        const auto at = ray.intersect(sphere);
+        return reference::parameter_error(ray, sphere, at, answer, scene::Precision::kDouble).value;
       },
-      [=] {
-        for (std::size_t k = 0; k < cases.size(); ++k) {
-          const reference::ExactRay ray(cases[k].ray);
-          const auto at = ray.intersect(cases[k].sphere, scene::Root::kNearest,
-                                        {reference::Engine::kFieldOnly});
-          const double exact =
-              reference::ulp_error(cases[k].answer, ray.parameter(cases[k].sphere, at, 400)).value;
-          if ((*answers)[k] < exact || (*answers)[k] > exact + 0x1p-10) return false;
-        }
-        return true;
-      }};
+      [=](std::size_t k, double error) {
+        const auto& [given, sphere, answer] = cases[k];
+        const reference::ExactRay ray(given);
+        const auto at =
+            ray.intersect(sphere, scene::Root::kNearest, {reference::Engine::kFieldOnly});
+        const double exact = reference::ulp_error(answer, ray.parameter(sphere, at, 400)).value;
+        return error >= exact && error <= exact + 0x1p-10;
+      });
 }
 
 Kernel rays_of_pixels(const fast::PixelRayMethod& method) {
@@ -235,23 +231,16 @@ Kernel set_up() {
     return moved;
   };
   const scene::Pixel middle = {kSide / 2, kSide / 2};
-  const auto answers = std::make_shared<std::vector<reference::Intersection>>(kCameras);
   const auto answer = [=](std::size_t k, reference::Engine engine) {
     return reference::ExactRay(reference::ExactCamera(at(k), {}), middle)
         .intersect(tools::kBenchSphere, scene::Root::kNearest, {engine});
   };
-  return {"camera/set-up", kCameras,
-          [=] {
-            for (std::size_t k = 0; k < kCameras; ++k) {
-              (*answers)[k] = answer(k, reference::Engine::kFiltered);
-            }
-          },
-          [=] {
-            for (std::size_t k = 0; k < kCameras; ++k) {
-              if (!((*answers)[k] == answer(k, reference::Engine::kFieldOnly))) return false;
-            }
-            return true;
-          }};
+  return each(
+      "camera/set-up", kCameras,
+      [=](std::size_t k) { return answer(k, reference::Engine::kFiltered); },
+      [=](std::size_t k, const reference::Intersection& got) {
+        return got == answer(k, reference::Engine::kFieldOnly);
+      });
 }
 
 Kernel check_of_scene() {

@@ -24,7 +24,7 @@
 #include "scene/files/scene_file.h"
 #include "tools/bench/bench_embree.h"
 #include "tools/bench/bench_scenes.h"
-#include "tools/run/for_each.h"
+#include "tools/run/threads.h"
 
 namespace {
 

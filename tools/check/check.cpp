@@ -133,13 +133,9 @@ bool CheckReport::is_enough_judged() const {
 CheckReport check(const CheckOptions& options, const RunControl& control, Units* units) {
   const scene::Interruptible interruptible(control.interrupted);
   std::vector<Implementation> implementations = options.implementations;
-  scene::LoadedScene loaded = load(options, implementations);
   CheckReport report;
+  static_cast<scene::LoadedScene&>(report) = load(options, implementations);
   report.path = options.path;
-  report.scene = std::move(loaded.scene);
-  report.warnings = std::move(loaded.warnings);
-  report.dialect = loaded.dialect;
-  report.not_needed = std::move(loaded.not_needed);
   report.top = options.top;
   report.strict = options.strict;
   report.max_error = options.max_error;

@@ -121,12 +121,8 @@ struct CandidateReport {
   bool is_enough_judged() const { return is_judged() && !is_undecided(); }
 };
 
-struct CheckReport {
+struct CheckReport : scene::LoadedScene {
   std::string path;
-  scene::Scene scene;
-  std::vector<std::string> warnings;
-  std::optional<scene::Dialect> dialect;  ///< The dialect if the scene is a driver file.
-  std::vector<std::string> not_needed;    ///< Settings that only shading uses.
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;

@@ -1,38 +1,23 @@
-#include <tbb/info.h>
-
-#include <memory>
-#include <string>
-
 #include "properties/verdict.h"
-#include "tools/candidate_arguments.h"
 #include "tools/check/check.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
-#include "tools/gate_arguments.h"
-#include "tools/shard_arguments.h"
-#include "tools/terminal.h"
+#include "tools/edge.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct CheckArguments {
+struct CheckArguments : CommonArguments {
   CheckOptions options;
-  JudgedArguments judged;
   bool all = false;
   std::string pixels = "all";
-  std::optional<std::string> certificates;
-  std::optional<std::string> view;
-  int threads = tbb::info::default_concurrency();
   GateArguments gate;
-  ShardArguments shards;
 };
 
 int run_check(CheckArguments& arguments) {
   CheckOptions& options = arguments.options;
-  options.keeps_forms = !arguments.judged.dialect.empty();
-  options.read_as = parse_dialect(arguments.judged.dialect);
-  options.implementations = arguments.all ? built_in(all_pairs()) : find_judged(arguments.judged);
+  options.keeps_forms = !arguments.dialect.empty();
+  options.read_as = parse_dialect(arguments.dialect);
+  options.implementations = arguments.all ? built_in(all_pairs()) : find_judged(arguments);
   if (options.implementations.empty()) options.implementations = {built_in(kDefaultMethods)};
   if (arguments.pixels != "all") {
     options.pixels = parse_index("--pixels", arguments.pixels, 1, kMostIndex, "all, or ");
@@ -43,15 +28,13 @@ int run_check(CheckArguments& arguments) {
   const std::unique_ptr<Units> units = units_of(arguments.shards, options.implementations);
   CheckReport report = check(options, run_control(options.path, arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
-  Gate gate = check_gate(report);
-  report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = check_gate(report);  // again, with the baseline
+  const Gate gate = files.compared(report, check_gate);
   print_warnings(report.warnings);
   files.write(kCheckViews, report, gate);
   if (certificates) certificates->write(check_certificates(report));
   print_view(kCheckViews, arguments.gate.format, report, gate);
   if (view) {
-    const CheckPageOptions shown = {{}, arguments.judged.name_methods()};
+    const CheckPageOptions shown = {{}, !arguments.rays.empty() || !arguments.intersect.empty()};
     view->write(page(check_document(report, shown, run_control("page", arguments.threads))));
   }
   const bool fails = report.ratchet ? report.ratchet->fails() : !report.holds();
@@ -63,21 +46,20 @@ int run_check(CheckArguments& arguments) {
 CommandRun add_check(CLI::App& command) {
   const auto given = std::make_shared<CheckArguments>();
   CheckArguments& arguments = *given;
-  JudgedArguments& judged = arguments.judged;
   command
       .add_option("SCENE", arguments.options.path, "a TOML scene, or a driver file of the course")
       ->required();
-  command.add_option("--dialect", judged.dialect,
+  command.add_option("--dialect", arguments.dialect,
                      "the format of driver files: A, B or C, the year of a course (2017 to 2020), "
                      "auto (what the renderer reads), a form such as B:17:no-light, another format "
                      "such as nff, or a file FORMAT.toml (default: the scene's own, else B)");
   CLI::Option* const rays =
-      command.add_option("--rays", judged.rays, "the method that makes rays (default: direct)");
+      command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
   CLI::Option* const intersect =
-      command.add_option("--intersect", judged.intersect,
+      command.add_option("--intersect", arguments.intersect,
                          "the method that intersects rays; may be repeated (default: "
                          "cross)");
-  add_judged(command, judged.external);
+  add_judged(command, arguments.external);
   command.add_flag("--all", arguments.all, "every pair of methods")
       ->excludes(rays, intersect, command.get_option("--candidate"));
   command.add_option("--pixels", arguments.pixels, "all, or a number of pixels, spread evenly")

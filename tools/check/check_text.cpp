@@ -249,31 +249,19 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
     lines.emplace_back("the scene's camera.far: no quantity depends on it");
   }
   lines.emplace_back("laws that compare several answers, which `raycheck properties` tries");
-  /// The laws left out for one reason, for all candidates or for one, in order.
-  struct Group {
-    std::string whose, reason;
-    std::vector<std::string> laws;
-  };
-  std::vector<Group> groups;
-  const auto add = [&](const std::string& whose, const LeftOut& entry) {
-    auto group = std::ranges::find_if(groups, [&](const Group& known) {
-      return known.whose == whose && known.reason == entry.reason;
-    });
-    if (group == groups.end()) group = groups.insert(group, {whose, entry.reason, {}});
-    if (std::ranges::find(group->laws, entry.law) == group->laws.end()) {
-      group->laws.push_back(entry.law);
-    }
-  };
+  // The laws left out for one reason, for all candidates or for one.
+  Grouped<std::pair<std::string, std::string>> groups;
   for (const CandidateReport& candidate : report.candidates) {
     for (const LeftOut& entry : candidate.left_out) {
       const bool all = std::ranges::all_of(report.candidates, [&](const CandidateReport& other) {
         return std::ranges::find(other.left_out, entry) != other.left_out.end();
       });
-      add(all ? "" : candidate.name + ", ", entry);
+      if (all && &candidate != &report.candidates.front()) continue;
+      add_to(groups, {all ? "" : candidate.name + ", ", entry.reason}, entry.law);
     }
   }
-  for (const auto& [whose, reason, laws] : groups) {
-    lines.push_back(fmt::format("{}{}: {}", whose, fmt::join(laws, ", "), reason));
+  for (const auto& [of, laws] : groups) {
+    lines.push_back(fmt::format("{}{}: {}", of.first, scene::joined(laws), of.second));
   }
   return lines;
 }

@@ -1,26 +1,15 @@
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "scene/interruption.h"
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
+#include "tools/edge.h"
 #include "tools/explain/explain.h"
-#include "tools/flags.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct ExplainArguments {
-  std::string scene;
-  std::string dialect;
-  std::string pixel;
-  std::string sphere;
-  std::string ray;
-  std::string rays;
-  std::string format;
-  ExternalArguments external;
+struct ExplainArguments : CommonArguments {
+  std::string scene, pixel, sphere, ray;
 };
 
 ExplainOptions explain_given_ray(const ExplainArguments& arguments) {

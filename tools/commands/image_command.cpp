@@ -1,31 +1,19 @@
 #include <fmt/core.h>
-#include <tbb/info.h>
 
-#include <memory>
 #include <stdexcept>
 
 #include "scene/number.h"
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
+#include "tools/edge.h"
 #include "tools/image/image.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct ImageArguments {
-  std::string scene;
-  std::string out;
+struct ImageArguments : CommonArguments {
+  std::string scene, out, size;
+  std::string one_intersect;  ///< Of --intersect, which may not be repeated here.
   Picture what = Picture::kSphere;
-  std::string dialect;
-  std::string rays;
-  std::string intersect;
-  std::string size;
   bool strict = false;
-  int threads = tbb::info::default_concurrency();
-  std::string format;
-  ExternalArguments external;
 };
 
 scene::Pixel parse_size(const std::string& text) {
@@ -43,7 +31,7 @@ int run_image(const ImageArguments& arguments) {
   if (!arguments.size.empty()) options.size = parse_size(arguments.size);
   const std::vector<std::string>& candidates = arguments.external.candidates;
   for (const auto& [option, value] :
-       {std::pair("--rays", arguments.rays), std::pair("--intersect", arguments.intersect),
+       {std::pair("--rays", arguments.rays), std::pair("--intersect", arguments.one_intersect),
         std::pair("--candidate", candidates.empty() ? "" : candidates.front())}) {
     if (options.what == Picture::kError || value.empty()) continue;
     throw std::invalid_argument(
@@ -52,8 +40,8 @@ int run_image(const ImageArguments& arguments) {
                     option, value));
   }
   if (!arguments.rays.empty()) options.methods.rays = &find_rays(arguments.rays);
-  if (!arguments.intersect.empty()) {
-    options.methods.intersect = &find_intersect(arguments.intersect);
+  if (!arguments.one_intersect.empty()) {
+    options.methods.intersect = &find_intersect(arguments.one_intersect);
   }
   if (candidates.size() > 1) {
     throw std::invalid_argument("--candidate: a picture shows only one candidate");
@@ -88,7 +76,7 @@ CommandRun add_image(CLI::App& command) {
             "sphere: the nearest spheres, shaded; error: the error of s by a method or candidate");
   command.add_option("--rays", arguments.rays,
                      "for --what error: the method that makes rays (default: direct)");
-  command.add_option("--intersect", arguments.intersect,
+  command.add_option("--intersect", arguments.one_intersect,
                      "for --what error: the method that intersects rays (default: cross)");
   command.add_option("--size", arguments.size,
                      "pixels across and down, W,H (default: the scene's)");

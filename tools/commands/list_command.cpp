@@ -1,22 +1,18 @@
-#include <memory>
-
-#include "tools/commands.h"
 #include "tools/commands/list.h"
-#include "tools/flags.h"
-#include "tools/terminal.h"
+#include "tools/edge.h"
 
 namespace raycheck::tools {
 
 CommandRun add_list(CLI::App& command) {
   const auto format = std::make_shared<std::string>();
   const auto bounds = std::make_shared<bool>(false);
-  add_format(command, *format, names_of(kListViews));
+  add_format(command, *format, {"text", "json"});
   command.add_flag("--bounds", *bounds, "show only the bounds on errors, and how they are proved");
   return [format, bounds] {
-    if (*bounds) {
-      print_view(kBoundsViews, *format, bounds_report());
+    if (*format == "json") {
+      print_report(*bounds ? bounds_json() : list_json());
     } else {
-      print_view(kListViews, *format, catalogue());
+      print_report(*bounds ? bounds_text() : list_text());
     }
     return kExitNothingFound;
   };

@@ -4,17 +4,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <iterator>
 #include <map>
-#include <memory>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "tools/commands.h"
-#include "tools/shard_arguments.h"
-#include "tools/terminal.h"
+#include "tools/edge.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,20 +1,13 @@
 #include <fmt/core.h>
 
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "scene/files/file_text.h"
 #include "scene/invalid_input.h"
-#include "tools/commands.h"
+#include "tools/edge.h"
 #include "tools/external/sandbox/launch.h"
-#include "tools/flags.h"
-#include "tools/report/output_file.h"
 #include "tools/report/version.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,40 +1,24 @@
 #include <fmt/core.h>
-#include <tbb/info.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <memory>
 #include <stdexcept>
 
 #include "scene/interruption.h"
-#include "tools/candidate_arguments.h"
 #include "tools/check/check.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
-#include "tools/report/output_file.h"
+#include "tools/edge.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress.h"
-#include "tools/terminal.h"
 #include "tools/view/document.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct ViewArguments {
-  std::string scene;
-  std::string family;
+struct ViewArguments : CommonArguments {
+  std::string scene, family, out, sphere;
   int cases = 100;
   std::uint64_t seed = 1;
-  std::string dialect;
-  std::string out;
-  std::string format;
-  std::vector<std::string> methods;
-  std::string rays;
-  std::vector<std::string> pixels;
-  std::string sphere;
-  ExternalArguments external;
-  int threads = tbb::info::default_concurrency();
+  std::vector<std::string> methods, pixels;
 };
 
 /// If rays times spheres is at most this, every ray is judged. If rays times spheres times methods

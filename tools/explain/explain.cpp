@@ -7,12 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/case.h"
 #include "reference/account/condition.h"
+#include "reference/error_measure.h"
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
 #include "scene/validate.h"
-#include "tools/explain/explain_methods.h"
 
 namespace raycheck::tools {
 namespace {
@@ -67,9 +66,7 @@ Step vector_step(const char* symbol, const char* formula, const ClosedForm3& clo
 
 /// An enclosure of T = C - L.
 Enclosure3 to_centre(const Subject& subject, const scene::Sphere& sphere, int bits) {
-  const Enclosure3 centre = {Enclosure(sphere.centre.x, bits), Enclosure(sphere.centre.y, bits),
-                             Enclosure(sphere.centre.z, bits)};
-  return centre - subject.exact.enclose(bits).origin();
+  return reference::enclose_exactly(sphere.centre) - subject.exact.enclose(bits).origin();
 }
 
 /// The shares of the way across and down at which a pixel lies, by samples.

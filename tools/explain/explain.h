@@ -7,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/candidate.h"
+#include "properties/case.h"
 #include "properties/discrepancy.h"
+#include "properties/truth.h"
 #include "reference/account/closed_form.h"
 #include "reference/exact_ray.h"
 #include "scene/scene.h"
@@ -118,8 +121,28 @@ struct ExplainReport {
 /// Domain: a valid scene; otherwise throws std::invalid_argument naming the field.
 ExplainReport explain(const ExplainOptions& options);
 
+/// A candidate's answers about the one ray of a case, and the verdict of the laws. report_rays() is
+/// about the ray that it makes for the case's pixel; report_intersection() is about the ray's
+/// intersection with the case's one sphere. Its steps are compared with those of exactly the ray
+/// that it got.
+/// Domain: a case under the conventions of `truth`, whose parts are shared; `own` is
+///         raycheck's method if the candidate is one, which has more steps to show; or null.
+MethodReport report_rays(const properties::Candidate& candidate, const properties::Case& the_case,
+                         std::shared_ptr<properties::Truth> truth,
+                         const fast::PixelRayMethod* own = nullptr);
+MethodReport report_intersection(const properties::Candidate& candidate,
+                                 const properties::Case& the_case,
+                                 std::shared_ptr<properties::Truth> truth,
+                                 const fast::IntersectMethod* own = nullptr);
+
 std::string explain_text(const ExplainReport& report, const ViewOptions& options);
 std::string explain_json(const ExplainReport& report, const ViewOptions& options);
+
+/// The coordinates as a list.
+template <class Triple>
+std::vector<double> numbers(const Triple& value) {
+  return {value.x, value.y, value.z};
+}
 
 /// A number with 17 significant digits; several numbers in parentheses.
 std::string digits_text(double value);

@@ -1,5 +1,3 @@
-#include "tools/explain/explain_methods.h"
-
 #include <cmath>
 #include <exception>
 #include <string>
@@ -10,6 +8,7 @@
 #include "properties/quantity.h"
 #include "reference/error_measure.h"
 #include "scene/validate.h"
+#include "tools/explain/explain.h"
 
 namespace raycheck::tools {
 namespace {

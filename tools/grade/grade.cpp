@@ -17,7 +17,7 @@
 #include "tools/implementations/built_in.h"
 #include "tools/report/output_file.h"
 #include "tools/report/words.h"
-#include "tools/run/in_order.h"
+#include "tools/run/threads.h"
 
 namespace raycheck::tools {
 namespace {

@@ -8,14 +8,10 @@
 #include <stdexcept>
 
 #include "scene/files/file_text.h"
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
+#include "tools/edge.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/intake/handed_in.h"
 #include "tools/grade/pages/views.h"
-#include "tools/shard_arguments.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {

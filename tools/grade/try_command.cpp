@@ -1,10 +1,7 @@
 #include <memory>
 
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
+#include "tools/edge.h"
 #include "tools/grade/grade.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {

@@ -13,8 +13,7 @@
 #include "scene/invalid_input.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
-#include "tools/run/for_each.h"
-#include "tools/run/in_order.h"
+#include "tools/run/threads.h"
 
 namespace raycheck::tools {
 namespace {

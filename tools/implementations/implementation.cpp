@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
-#include <utility>
+
+#include "scene/text.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 
@@ -30,7 +32,7 @@ std::vector<std::string> lasting_names(const std::vector<Implementation>& implem
 }
 
 std::string isolation_text(const std::vector<Implementation>& implementations) {
-  std::vector<std::pair<std::string, std::string>> lines;  // names, and the text they share
+  Grouped<std::string> lines;  // the names that share a text
   std::set<std::string_view> said;
   for (const Implementation& one : implementations) {
     if (one.isolated_by.empty() || !said.insert(one.name).second) continue;
@@ -42,17 +44,11 @@ std::string isolation_text(const std::vector<Implementation>& implementations) {
     if (one.precision != scene::Precision::kDouble) {
       holds += "; judged in single precision: u = 2^-24, ulp of float";
     }
-    const auto same =
-        std::ranges::find_if(lines, [&](const auto& line) { return line.second == holds; });
-    if (same == lines.end()) {
-      lines.emplace_back(one.name, holds);
-    } else {
-      same->first += ", " + one.name;
-    }
+    add_to(lines, holds, one.name);
   }
-  std::string text;
-  for (const auto& [names, holds] : lines) text += fmt::format("{}  {}\n", names, holds);
-  return text;
+  return scene::joined(lines, "", [](const auto& line) {
+    return fmt::format("{}  {}\n", scene::joined(line.second), line.first);
+  });
 }
 
 }  // namespace raycheck::tools

@@ -131,13 +131,9 @@ void count_filtered(const reference::DecidedBy& decided_by, ItemReport& item) {
 
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control) {
   const scene::Interruptible interruptible(control.interrupted);
-  scene::LoadedScene loaded = scene::load_scene(options.path, options.read_as);
   PlanReport report;
+  static_cast<scene::LoadedScene&>(report) = scene::load_scene(options.path, options.read_as);
   report.path = options.path;
-  report.warnings = std::move(loaded.warnings);
-  report.scene = std::move(loaded.scene);
-  report.dialect = loaded.dialect;
-  report.not_needed = std::move(loaded.not_needed);
   report.top = options.top;
   if (!report.scene.camera) return report;
   const auto start = std::chrono::steady_clock::now();

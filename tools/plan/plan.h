@@ -60,12 +60,8 @@ struct ItemReport {
   std::optional<PlanTime> time = {};  ///< Empty if nothing is left out, or if it was not measured.
 };
 
-struct PlanReport {
+struct PlanReport : scene::LoadedScene {
   std::string path;
-  std::vector<std::string> warnings;
-  std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< Settings that are not needed here.
-  scene::Scene scene;
   /// Only for scenes with a camera, because given rays have no computations in common.
   std::optional<scene::ScenePlan> plan;
   std::vector<ItemReport> items;   ///< In the order of kPlanItems.

@@ -1,18 +1,13 @@
 #include <limits>
-#include <memory>
 
-#include "tools/commands.h"
-#include "tools/flags.h"
+#include "tools/edge.h"
 #include "tools/plan/plan.h"
-#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct PlanArguments {
+struct PlanArguments : CommonArguments {
   PlanOptions options;
-  std::string dialect;
-  std::string format;
 };
 
 int run_plan(PlanArguments& arguments) {

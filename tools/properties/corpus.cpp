@@ -1,5 +1,3 @@
-#include "tools/properties/corpus.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "scene/files/file_text.h"
 #include "scene/files/scene_file.h"
 #include "scene/invalid_input.h"
+#include "tools/properties/properties.h"
 #include "tools/report/digest.h"
 #include "tools/report/output_file.h"
 

@@ -14,7 +14,6 @@
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
 #include "tools/implementations/built_in.h"
-#include "tools/properties/corpus.h"
 #include "tools/shards/run_units.h"
 
 namespace raycheck::tools {

@@ -1,29 +1,16 @@
-#include <tbb/info.h>
-
-#include <algorithm>
-#include <memory>
 #include <stdexcept>
 
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
-#include "tools/gate_arguments.h"
+#include "tools/edge.h"
 #include "tools/properties/properties.h"
-#include "tools/shard_arguments.h"
-#include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct PropertiesArguments {
+struct PropertiesArguments : CommonArguments {
   PropertiesOptions options;
-  JudgedArguments judged;
   std::vector<std::string> sources;
-  std::optional<std::string> view;
   GateArguments gate;
-  int threads = tbb::info::default_concurrency();
-  ShardArguments shards;
   std::string budget;
 };
 
@@ -41,10 +28,8 @@ double seconds_of(const std::string& text) {
 
 int run_properties_command(PropertiesArguments& arguments) {
   PropertiesOptions& options = arguments.options;
-  for (const std::string& name : arguments.sources) {
-    options.sources.push_back(parse_source("--source", name));
-  }
-  options.implementations = find_judged(arguments.judged);
+  std::ranges::transform(arguments.sources, std::back_inserter(options.sources), parse_source);
+  options.implementations = find_judged(arguments);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   if (!arguments.budget.empty()) {
@@ -56,9 +41,7 @@ int run_properties_command(PropertiesArguments& arguments) {
       run_properties(options, run_control("laws", arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   report.time = arguments.budget;
-  Gate gate = properties_gate(report);
-  report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = properties_gate(report);  // again, with the baseline
+  const Gate gate = files.compared(report, properties_gate);
   files.write(kPropertiesViews, report, gate);
   print_view(kPropertiesViews, arguments.gate.format, report, gate);
   if (view) view->write(page(properties_document(report, run_control("page"))));
@@ -71,18 +54,17 @@ int run_properties_command(PropertiesArguments& arguments) {
 CommandRun add_properties(CLI::App& command) {
   const auto given = std::make_shared<PropertiesArguments>();
   PropertiesOptions& options = given->options;
-  JudgedArguments& judged = given->judged;
   command.add_option("--filter", options.filter, "only laws whose name contains this");
   add_cases(command, options.cases,
             "cases for each law, candidate and level, shared among sources and severities");
   add_seed(command, options.seed);
   CLI::Option* const replay =
       command.add_option("--replay", options.replay, "the string that a failure printed");
-  command.add_option("--rays", judged.rays, "only this method of making rays");
-  command.add_option("--intersect", judged.intersect,
+  command.add_option("--rays", given->rays, "only this method of making rays");
+  command.add_option("--intersect", given->intersect,
                      "only this intersection method; may be repeated");
-  add_judged(command, judged.external);
-  command.add_option("--dialect", judged.dialect,
+  add_judged(command, given->external);
+  command.add_option("--dialect", given->dialect,
                      "the format of driver files for renderers: A, B, C, 2017 to 2020, auto (what "
                      "the renderer reads), or a form such as B:17:no-light (default: B)");
   command.add_option("--source", given->sources,

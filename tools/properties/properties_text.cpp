@@ -122,25 +122,18 @@ bool has_one_candidate(const PropertiesReport& report) {
 /// The laws that were left out, one line for each reason: "  frame, look-at, up: the candidate does
 /// not implement frame()".
 std::string left_out_text(const PropertiesReport& report) {
-  struct LeftOut {
-    std::string_view candidate, reason;
-    std::string laws;
-  };
-  std::vector<LeftOut> all;
+  Grouped<std::pair<std::string, std::string>> all;  // laws by candidate and reason
   for (const CampaignReport& campaign : report.campaigns) {
     if (campaign.finding != Finding::kLeftOut) continue;
-    const std::string_view reason = campaign.result.counts.reason;
-    auto known = std::ranges::find_if(all, [&](const LeftOut& one) {
-      return one.candidate == campaign.candidate && one.reason == reason;
-    });
-    if (known == all.end()) known = all.insert(known, {campaign.candidate, reason, ""});
-    add_law(campaign, known->laws);
+    add_to(all, {campaign.candidate, campaign.result.counts.reason},
+           std::string(campaign.law->name));
   }
   const bool is_one = has_one_candidate(report);
   std::string text;
-  for (const auto& [candidate, reason, laws] : all) {
-    text += fmt::format("{}  {}{}: {}\n", text.empty() ? "left out:\n" : "",
-                        is_one ? "" : fmt::format("{}: ", candidate), laws, reason);
+  for (const auto& [of, laws] : all) {
+    text +=
+        fmt::format("{}  {}{}: {}\n", text.empty() ? "left out:\n" : "",
+                    is_one ? "" : fmt::format("{}: ", of.first), scene::joined(laws), of.second);
   }
   return text;
 }

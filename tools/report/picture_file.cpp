@@ -11,27 +11,9 @@
 
 namespace raycheck::tools {
 
-namespace {
-
-class PpmEncoder : public PictureEncoder {
- public:
-  explicit PpmEncoder(OutputFile& file) : file_(file) {}
-
-  void start(std::int64_t width, std::int64_t height) override {
-    file_.append(fmt::format("P6\n{} {}\n255\n", width, height));
-  }
-  void add(std::span<const Colour> line) override {
-    file_.append({reinterpret_cast<const char*>(line.data()), line.size_bytes()});
-  }
-  void finish() override {}
-
- private:
-  OutputFile& file_;
-};
-
 /// libpng leaves a failed call by longjmp. No object with a destructor may exist between guarded()
 /// and such a call.
-class PngEncoder : public PictureEncoder {
+class PngEncoder {
  public:
   explicit PngEncoder(OutputFile& file) : file_(file) {
     png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
@@ -43,9 +25,9 @@ class PngEncoder : public PictureEncoder {
   }
   PngEncoder(const PngEncoder&) = delete;
   PngEncoder& operator=(const PngEncoder&) = delete;
-  ~PngEncoder() override { png_destroy_write_struct(&png_, &info_); }
+  ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
 
-  void start(std::int64_t width, std::int64_t height) override {
+  void start(std::int64_t width, std::int64_t height) {
     guarded([&] {
       png_set_write_fn(png_, this, on_write, on_flush);
       png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
@@ -56,10 +38,10 @@ class PngEncoder : public PictureEncoder {
       png_write_info(png_, info_);
     });
   }
-  void add(std::span<const Colour> line) override {
+  void add(std::span<const Colour> line) {
     guarded([&] { png_write_row(png_, reinterpret_cast<png_const_bytep>(line.data())); });
   }
-  void finish() override {
+  void finish() {
     guarded([&] { png_write_end(png_, info_); });
   }
 
@@ -99,32 +81,33 @@ class PngEncoder : public PictureEncoder {
   std::string message_;         ///< The message of libpng.
 };
 
-std::unique_ptr<PictureEncoder> encoder_for(const std::string& option, const std::string& path,
-                                            OutputFile& file) {
-  if (path.ends_with(".png")) return std::make_unique<PngEncoder>(file);
-  if (path.ends_with(".ppm")) return std::make_unique<PpmEncoder>(file);
-  throw std::invalid_argument(
-      fmt::format("{} {}: the name of a picture must end in .png or .ppm", option, path));
-}
-
-}  // namespace
-
 PictureFile::PictureFile(std::string option, std::string path)
-    : path_(path), file_(option, std::move(path)), encoder_(encoder_for(option, path_, file_)) {}
-
-void PictureFile::start(std::int64_t width, std::int64_t height) {
-  width_ = static_cast<std::size_t>(width);
-  encoder_->start(width, height);
-}
-
-void PictureFile::add(std::span<const Colour> lines) {
-  for (std::size_t at = 0; at < lines.size(); at += width_) {
-    encoder_->add(lines.subspan(at, width_));
+    : path_(path), file_(option, std::move(path)) {
+  if (path_.ends_with(".png")) {
+    png_ = std::make_unique<PngEncoder>(file_);
+  } else if (!path_.ends_with(".ppm")) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: the name of a picture must end in .png or .ppm", option, path_));
   }
 }
 
+PictureFile::~PictureFile() = default;
+
+void PictureFile::start(std::int64_t width, std::int64_t height) {
+  width_ = static_cast<std::size_t>(width);
+  if (png_) return png_->start(width, height);
+  file_.append(fmt::format("P6\n{} {}\n255\n", width, height));
+}
+
+void PictureFile::add(std::span<const Colour> lines) {
+  for (std::size_t at = 0; png_ && at < lines.size(); at += width_) {
+    png_->add(lines.subspan(at, width_));
+  }
+  if (!png_) file_.append({reinterpret_cast<const char*>(lines.data()), lines.size_bytes()});
+}
+
 void PictureFile::place() {
-  encoder_->finish();
+  if (png_) png_->finish();
   file_.place();
 }
 

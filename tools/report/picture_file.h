@@ -22,13 +22,7 @@ static_assert(sizeof(Colour) == 3, "pixels are written as laid out in memory");
 /// A picture has at most this many pixels across, and down: libpng's limit.
 inline constexpr std::int64_t kMostPictureSide = 1'000'000;
 
-class PictureEncoder {
- public:
-  virtual ~PictureEncoder() = default;
-  virtual void start(std::int64_t width, std::int64_t height) = 0;
-  virtual void add(std::span<const Colour> line) = 0;
-  virtual void finish() = 0;
-};
+class PngEncoder;
 
 /// A picture file that an option names, written line by line from the top: PNG or PPM (P6), by its
 /// extension. Like an OutputFile, it appears completely or not at all.
@@ -38,6 +32,7 @@ class PictureFile {
   /// Throws std::invalid_argument naming the option if it has another extension, and what
   /// OutputFile throws.
   PictureFile(std::string option, std::string path);
+  ~PictureFile();
 
   const std::string& path() const { return path_; }
   /// Domain: no side above kMostPictureSide.
@@ -49,7 +44,7 @@ class PictureFile {
  private:
   std::string path_;
   OutputFile file_;
-  std::unique_ptr<PictureEncoder> encoder_;
+  std::unique_ptr<PngEncoder> png_;  ///< Null for a PPM.
   std::size_t width_ = 0;
 };
 

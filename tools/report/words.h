@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "properties/discrepancy.h"
@@ -109,6 +111,16 @@ std::string indented(std::string_view lines, std::string_view indent);
 std::string single_quoted(std::string_view word);
 /// A word of a command, quoted only if necessary.
 std::string shell_word(const std::string& word);
+
+/// Texts by a key, in the order in which the keys first came.
+template <class Key>
+using Grouped = std::vector<std::pair<Key, std::vector<std::string>>>;
+template <class Key>
+void add_to(Grouped<Key>& groups, const Key& key, const std::string& text) {
+  auto known = std::ranges::find_if(groups, [&](const auto& one) { return one.first == key; });
+  if (known == groups.end()) known = groups.insert(known, {key, {}});
+  known->second.push_back(text);
+}
 
 /// "1 sphere", "2 spheres"
 std::string count_text(std::uint64_t count, std::string_view noun);

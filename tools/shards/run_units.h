@@ -16,7 +16,7 @@
 
 #include "properties/archive.h"
 #include "properties/run_control.h"
-#include "tools/run/in_order.h"
+#include "tools/run/threads.h"
 #include "tools/shards/unit_archive.h"
 #include "tools/shards/units.h"
 

@@ -1,5 +1,3 @@
-#include "tools/shards/shard.h"
-
 #include <fmt/core.h>
 
 #include <charconv>
@@ -9,6 +7,7 @@
 #include <string_view>
 
 #include "scene/invalid_input.h"
+#include "tools/shards/units.h"
 
 namespace raycheck::tools {
 namespace {

@@ -39,13 +39,6 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
   return families;
 }
 
-std::pair<int, int> range_of(const CaseSource& family, const StressOptions& options) {
-  const int highest = family.severities->highest;
-  if (!options.severities) return {0, highest};
-  const auto [from, to] = *options.severities;
-  return {from, std::min(to, highest)};
-}
-
 /// Requires that every source has the first requested severity, and at least one source the last.
 void require_severities(const std::vector<const CaseSource*>& families,
                         const StressOptions& options) {
@@ -65,8 +58,9 @@ void require_severities(const std::vector<const CaseSource*>& families,
 }
 
 std::vector<int> severities_of(const CaseSource& family, const StressOptions& options) {
-  const auto [from, to] = range_of(family, options);
-  return properties::some_severities(from, to);
+  const int highest = family.severities->highest;
+  const auto [from, to] = options.severities.value_or(std::pair(0, highest));
+  return properties::some_severities(from, std::min(to, highest));
 }
 
 std::vector<Stage> stages_of(const CaseSource& family) {

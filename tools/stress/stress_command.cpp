@@ -1,31 +1,18 @@
-#include <tbb/info.h>
-
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
 #include "scene/number.h"
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
-#include "tools/shard_arguments.h"
+#include "tools/edge.h"
 #include "tools/stress/stress.h"
-#include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct StressArguments {
+struct StressArguments : CommonArguments {
   StressOptions options;
   std::vector<std::string> methods;
   std::string severity;
-  std::optional<std::string> view;
-  std::optional<std::string> certificates;
-  std::string format;
-  ExternalArguments external;
-  int threads = tbb::info::default_concurrency();
-  ShardArguments shards;
 };
 
 /// "3" or "2..7"

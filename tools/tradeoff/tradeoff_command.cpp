@@ -1,31 +1,20 @@
-#include <memory>
-
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
-#include "tools/terminal.h"
+#include "tools/edge.h"
 #include "tools/tradeoff/tradeoff.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct TradeoffArguments {
+struct TradeoffArguments : CommonArguments {
   TradeoffOptions options;
   std::vector<std::string> sources = {"rays", "cameras"};
   std::vector<std::string> methods;
-  std::string dialect;
-  std::optional<std::string> view;
-  std::string format;
-  ExternalArguments external;
 };
 
 int run_tradeoff(TradeoffArguments& arguments) {
   TradeoffOptions& options = arguments.options;
   options.read_as = parse_dialect(arguments.dialect);
-  for (const std::string& name : arguments.sources) {
-    options.sources.push_back(parse_source("--source", name));
-  }
+  std::ranges::transform(arguments.sources, std::back_inserter(options.sources), parse_source);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   options.implementations = find_by_stages(arguments.methods, arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));

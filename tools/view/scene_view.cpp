@@ -9,10 +9,10 @@
 
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
+#include "tools/report/packed.h"
 #include "tools/report/words.h"
-#include "tools/run/in_order.h"
+#include "tools/run/threads.h"
 #include "tools/view/figure/figure.h"
-#include "tools/view/page/page.h"
 #include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
@@ -153,7 +153,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
           return other.selection == made.panel.selection;
         });
         if (is_full || is_there) return;
-        bytes += deflated_behind(before, made.line);
+        bytes += packed(made.line, Packing::kSmall, before).size();
         before = made.line;
         if (bytes > options.limits.panel_bytes && !view.panels.empty()) {
           is_full = true;

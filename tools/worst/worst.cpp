@@ -41,15 +41,6 @@ Stage chosen_stage(const WorstOptions& options) {
   return options.candidate.stages.back();
 }
 
-properties::ChosenSource chosen_family(const std::string& name) {
-  try {
-    return properties::chosen_source(name);
-  } catch (const std::invalid_argument& error) {
-    throw scene::InvalidInput("family", name,
-                              std::string(error.what()) + "; `raycheck list` shows the sources");
-  }
-}
-
 Quantity chosen_quantity(const std::string& chosen, Stage stage) {
   if (chosen.empty()) return properties::main_quantity(stage);
   std::string known;
@@ -104,10 +95,9 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
   report.stage = chosen_stage(options);
   report.search = options.search;
   properties::SearchOptions& search = report.search;
-  search.sources = {chosen_family(options.family)};
   if (report.stage == Stage::kRays && !report.source().source->has_camera) {
     throw scene::InvalidInput(
-        "family", options.family,
+        "source", report.source().name(),
         fmt::format("has no camera, and {} makes rays", report.candidate.name));
   }
   search.quantity = chosen_quantity(options.quantity, report.stage);

@@ -16,10 +16,9 @@ namespace raycheck::tools {
 struct WorstOptions {
   /// The candidate. Judged is the stage that computes `quantity`; if that is empty, its last stage.
   Implementation candidate;
-  std::string family;  ///< "SOURCE" or "SOURCE@SEVERITY"; the search starts from its cases.
   /// The quantity's name with hyphens for spaces; empty: the main quantity of the stage.
   std::string quantity;
-  properties::SearchOptions search;  ///< Its sources and quantity are set from the members above.
+  properties::SearchOptions search;  ///< From one source; the quantity is set from the one above.
   /// The number of searches, with different seeds; the worst input of all is reported.
   std::int64_t searches = 1;
 };

@@ -1,31 +1,19 @@
 #include <fmt/core.h>
-#include <tbb/info.h>
 
-#include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "scene/invalid_input.h"
-#include "tools/candidate_arguments.h"
-#include "tools/commands.h"
-#include "tools/flags.h"
-#include "tools/shard_arguments.h"
-#include "tools/terminal.h"
+#include "tools/edge.h"
 #include "tools/view/page/page.h"
 #include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {
 
-struct WorstArguments {
+struct WorstArguments : CommonArguments {
   WorstOptions options;
-  std::string method;
+  std::string method, source;
   std::optional<std::string> save;
-  std::optional<std::string> view;
-  std::string format;
-  ExternalArguments external;
-  int threads = tbb::info::default_concurrency();
-  ShardArguments shards;
 };
 
 Implementation chosen_method(const WorstArguments& arguments) {
@@ -48,6 +36,7 @@ int run_worst(WorstArguments& arguments) {
     throw std::invalid_argument("--candidate: worst takes only one");
   }
   arguments.options.candidate = chosen_method(arguments);
+  arguments.options.search.sources = {parse_source(arguments.source)};
   std::optional<OutputFile> scene = opened("--save", arguments.save);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   const std::unique_ptr<Units> units =
@@ -72,7 +61,7 @@ CommandRun add_worst(CLI::App& command) {
   CLI::Option* const method = command.add_option("--method", given->method,
                                                  "the method that makes rays or intersects them");
   command
-      .add_option("--source,--family", options.family,
+      .add_option("--source,--family", given->source,
                   "the source to start from, or SOURCE@SEVERITY")
       ->required();
   command.add_option(

@@ -6,8 +6,8 @@
 #include "properties/quantile_sketch.h"
 #include "properties/search/campaign.h"
 #include "tests/tools/program.h"
+#include "tools/edge.h"
 #include "tools/implementations/built_in.h"
-#include "tools/shard_arguments.h"
 #include "tools/shards/run_units.h"
 #include "tools/shards/units.h"
 

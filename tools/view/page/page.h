@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "tools/view/document.h"
 
@@ -11,8 +9,5 @@ namespace raycheck::tools {
 /// A document as one self-contained HTML file. Its content security policy allows only its own
 /// script and style, by their hashes, and embedded pictures.
 std::string page(const ViewDocument& document);
-
-/// The approximate number of bytes that `text` adds to a compressed stream after `before`.
-std::size_t deflated_behind(std::string_view before, std::string_view text);
 
 }  // namespace raycheck::tools

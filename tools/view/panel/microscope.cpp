@@ -6,7 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/error_measure.h"
 #include "scene/interruption.h"
+#include "scene/text.h"
+#include "tools/report/words.h"
 #include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
@@ -105,8 +108,6 @@ class Plane {
     along_ = enclosed.direction();
     const Enclosure length = ray.source().camera ? Enclosure(1.0, bits) : enclosed.length();
     unit_ = Enclosure(ulp, bits) * length;
-    const Enclosure3 centre = {Enclosure(sphere.centre.x, bits), Enclosure(sphere.centre.y, bits),
-                               Enclosure(sphere.centre.z, bits)};
     const Enclosure v = enclosed.axial_distance(sphere);
     const Enclosure3 ray_origin = enclosed.origin();
     parameter_ = hits_ ? enclosed.parameter(sphere, exact) : v / length;
@@ -114,7 +115,7 @@ class Plane {
     const Enclosure3 way = scaled(along_, distance);
     origin_ = {ray_origin.x + way.x, ray_origin.y + way.y, ray_origin.z + way.z};
     const Enclosure3 to_foot = scaled(along_, v);
-    const Enclosure3 to_centre = centre - ray_origin - to_foot;
+    const Enclosure3 to_centre = reference::enclose_exactly(sphere.centre) - ray_origin - to_foot;
     const Enclosure b = norm(to_centre);
     // If the line passes through the centre, there is no side; enclosures cannot prove this.
     const bool is_central = b.contains_zero();
@@ -130,9 +131,8 @@ class Plane {
     return (Enclosure(parameter, bits_) - parameter_) / Enclosure(ulp, bits_);
   }
   std::array<double, 2> place_of(const std::vector<double>& point) const {
-    const Enclosure3 offset = Enclosure3{Enclosure(point[0], bits_), Enclosure(point[1], bits_),
-                                         Enclosure(point[2], bits_)} -
-                              origin_;
+    const Enclosure3 offset =
+        reference::enclose_exactly(scene::Point3{point[0], point[1], point[2]}) - origin_;
     return {middle(dot(offset, along_) / unit_), middle(dot(offset, normal_) / unit_)};
   }
   /// The distance of the sphere from the ray, for a miss.
@@ -272,22 +272,15 @@ std::vector<std::string> sentences_of(const Microscope& microscope, const Explai
     }
     sentences.push_back(text + ".");
   }
-  std::vector<std::pair<std::string, std::string>> absent;  // verdict, names
+  Grouped<std::string> absent;  // names by verdict
   for (const MethodReport& method : report.methods) {
     const bool is_drawn = std::ranges::any_of(
         microscope.marks, [&](const MicroscopeMark& mark) { return mark.method == method.name; });
     if (!method.intersects || is_drawn) continue;
-    const std::string verdict = method_verdict(method, report);
-    const auto same =
-        std::ranges::find_if(absent, [&](const auto& other) { return other.first == verdict; });
-    if (same == absent.end()) {
-      absent.emplace_back(verdict, method.name);
-    } else {
-      same->second += ", " + method.name;
-    }
+    add_to(absent, method_verdict(method, report), method.name);
   }
   for (const auto& [verdict, names] : absent) {
-    sentences.push_back(fmt::format("Not drawn: {}: {}.", names, verdict));
+    sentences.push_back(fmt::format("Not drawn: {}: {}.", scene::joined(names), verdict));
   }
   return sentences;
 }

@@ -12,7 +12,7 @@
 #include "reference/visibility/visibility.h"
 #include "tools/report/picture_file.h"
 #include "tools/report/spelling.h"
-#include "tools/run/for_each.h"
+#include "tools/run/threads.h"
 
 namespace raycheck::tools {
 namespace {

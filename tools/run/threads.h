@@ -1,17 +1,41 @@
 #pragma once
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "properties/run_control.h"
 #include "scene/interruption.h"
+#include "scene/plan/plan.h"
 
 namespace raycheck::tools {
+
+/// Calls work() in an arena of as many threads as `control` has.
+template <class Work>
+void on_threads(const properties::RunControl& control, const Work& work) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(control.threads));
+  tbb::task_arena(control.threads).execute(work);
+}
+
+/// A loop that runs on the threads of `control`, which must outlive it. It throws
+/// scene::Interrupted on an interrupt.
+inline scene::ForEach for_each_on(const properties::RunControl& control) {
+  return [&control](std::size_t count, const std::function<void(std::size_t)>& body) {
+    on_threads(control, [&] {
+      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        const scene::Interruptible interruptible(control.interrupted);
+        body(k);
+      });
+    });
+  };
+}
 
 /// Calls make(k) for every k in [0, count) on the threads of `control`, and take(result) one after
 /// the other in the order of k, so that the outcome does not depend on the number of threads. Only
@@ -20,9 +44,6 @@ namespace raycheck::tools {
 template <class Result, class Make, class Take>
 void in_order(std::int64_t count, const properties::RunControl& control, const Make& make,
               const Take& take) {
-  const auto most = static_cast<std::size_t>(control.threads);
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most);
-  tbb::task_arena arena(control.threads);
   std::int64_t next = 0;
   const auto number = [&](tbb::flow_control& flow) -> std::int64_t {
     if (next == count || control.interrupted()) {
@@ -37,9 +58,9 @@ void in_order(std::int64_t count, const properties::RunControl& control, const M
     return std::make_shared<Result>(make(k));
   };
   try {
-    arena.execute([&] {
+    on_threads(control, [&] {
       tbb::parallel_pipeline(
-          2 * most,
+          2 * static_cast<std::size_t>(control.threads),
           tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, number) &
               tbb::make_filter<std::int64_t, Shared>(tbb::filter_mode::parallel, made) &
               tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
