@@ -50,13 +50,8 @@ void judge_frame(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kFrameLawTable[] = {
-    {.name = "frame",
-     .sentence = "the frame is orthonormal, right-handed and equal to the camera's",
-     .per = Per::kScene,
-     .needs = Needs::kFrame,
-     .quantity = Quantity::kFrame,
-     .judges_values = true,
-     .judge = judge_frame},
+    {"frame", "the frame is orthonormal, right-handed and equal to the camera's", Per::kScene,
+     Needs::kFrame, Quantity::kFrame, judge_frame, kValues},
 };
 
 }  // namespace

@@ -25,15 +25,12 @@ using reference::WhichRoot;
 
 /// A ray and a sphere that meet according to the candidate, the truth or both.
 struct Encounter {
-  Encounter(Trial& of, std::size_t ray_index, std::size_t sphere_index, const HitAnswer* hit,
-            const Intersection* at)
-      : trial(of),
-        ray_at(ray_index),
-        sphere_at(sphere_index),
-        ray(of.exact_ray(ray_index)),
-        sphere(of.scene().spheres[sphere_index]),
-        answer(hit),
-        exact(at) {}
+  Trial& trial;
+  std::size_t ray_at, sphere_at;
+  const HitAnswer* answer;    ///< Null: a miss.
+  const Intersection* exact;  ///< Null: a miss.
+  const ExactRay& ray = trial.exact_ray(ray_at);
+  const scene::Sphere& sphere = trial.scene().spheres[sphere_at];
 
   Place place() const { return trial.place(ray_at, sphere_at); }
   /// Whether the exact hit is the start of the ray.
@@ -91,13 +88,6 @@ struct Encounter {
     const Enclosure along = norm(enclosed.point(sphere, *exact) - enclosed.origin());
     return condition * (along / length).upper();
   }
-
-  Trial& trial;
-  std::size_t ray_at, sphere_at;
-  const ExactRay& ray;
-  const scene::Sphere& sphere;
-  const HitAnswer* answer;    ///< Null: a miss.
-  const Intersection* exact;  ///< Null: a miss.
 };
 
 /// Calls visit(encounter) for all encounters that are judged, sphere by sphere. All other judged
@@ -110,7 +100,7 @@ void for_each_encounter(Trial& trial, Visit visit) {
     auto hit = hits.begin();
     const auto visit_false_hits_before = [&](std::size_t ray) {
       for (; hit != hits.end() && hit->ray < ray; ++hit) {
-        visit(Encounter(trial, hit->ray, sphere, &hit->hit, nullptr));
+        visit(Encounter{trial, hit->ray, sphere, &hit->hit, nullptr});
       }
     };
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
@@ -121,7 +111,7 @@ void for_each_encounter(Trial& trial, Visit visit) {
       if (is_unjudged(at, tangent)) continue;
       const bool is_hit = counts_as_hit(at.hit_class, tangent);
       if (is_hit || is_answered) {
-        visit(Encounter(trial, meeting.ray, sphere, answer, is_hit ? &at : nullptr));
+        visit(Encounter{trial, meeting.ray, sphere, answer, is_hit ? &at : nullptr});
       }
     }
     visit_false_hits_before(trial.ray_count());
@@ -220,7 +210,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
     const HitAnswer answer = {*at.answer->other_root, {}};
     Intersection exact = *at.exact;
     exact.root = exact.root == WhichRoot::kSmaller ? WhichRoot::kLarger : WhichRoot::kSmaller;
-    const Encounter other(trial, at.ray_at, at.sphere_at, &answer, &exact);
+    const Encounter other = {trial, at.ray_at, at.sphere_at, &answer, &exact};
     measure_parameter(
         trial, verdict, other,
         [&] { return reference::condition_of_parameter(at.ray, at.sphere, exact); },
@@ -291,11 +281,7 @@ void judge_start(Trial& trial, Verdict& verdict, const Encounter& at) {
       verdict,
       {Quantity::kHitPoint, at.place(),
        reference::in_units_of_u(off / (size + Enclosure(at.sphere.radius, 256)))},
-      [] { return 1; },
-      [&](Discrepancy& d) {
-        d.got = numbers(at.answer->point);
-        d.exact = numbers(origin);
-      });
+      [] { return 1; }, shown(at.answer->point, [&] { return origin; }));
 }
 
 void judge_hit_point(Trial& trial, Verdict& verdict) {
@@ -306,10 +292,8 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         {Quantity::kHitPoint, at.place(),
          reference::hit_point_error(at.ray, at.sphere, *at.exact, at.answer->point)},
         [&] { return reference::condition_of_computed_point(at.ray, at.sphere, *at.exact); },
-        [&](Discrepancy& d) {
-          d.got = numbers(at.answer->point);
-          d.exact = numbers(at.ray.rounded_point(at.sphere, *at.exact, trial.precision()));
-        },
+        shown(at.answer->point,
+              [&] { return at.ray.rounded_point(at.sphere, *at.exact, trial.precision()); }),
         [&] { return at.backward_error(); },
         [&] {
           const double of_s = at.plain_condition();
@@ -444,58 +428,28 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kIntersectLawTable[] = {
-    {.name = "class",
-     .sentence = "rays hit and miss as in exact arithmetic",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
-     .quantity = Quantity::kClass,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_class},
-    {.name = "nearest-root",
-     .sentence =
-         "the root is the right one: the one that the conventions choose in exact arithmetic",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kEither,
-     .quantity = Quantity::kRoot,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_root},
-    {.name = "parameter",
-     .sentence = "the parameter s is the exact root, within its bound",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
-     .quantity = Quantity::kParameter,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_parameter},
-    {.name = "backward-error",
-     .sentence = "the parameter s is the exact root for inputs changed by a few roundings",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
-     .quantity = Quantity::kBackwardError,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_backward_error},
-    {.name = "hit-point",
-     .sentence = "the hit point is exact, lies on the sphere and on the ray",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kPoints,
-     .quantity = Quantity::kHitPoint,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .judge = judge_hit_point},
-    {.name = "focal-and-pixel",
-     .sentence =
-         "rays from E and from P hit the same point, and their s differ by the length of P - E",
-     .per = Per::kPair,
-     .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
-              Needs::kPoints,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_focal_and_pixel},
+    {"class", "rays hit and miss as in exact arithmetic", Per::kPair,
+     Needs::kIntersect | Needs::kSpheres | Needs::kRays, Quantity::kClass, judge_class, kValues,
+     Stage::kIntersection, kStability},
+    {"nearest-root",
+     "the root is the right one: the one that the conventions choose in exact arithmetic",
+     Per::kPair, Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kEither,
+     Quantity::kRoot, judge_root, kValues, Stage::kIntersection, kStability},
+    {"parameter", "the parameter s is the exact root, within its bound", Per::kPair,
+     Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters, Quantity::kParameter,
+     judge_parameter, kValues, Stage::kIntersection, kStability},
+    {"backward-error", "the parameter s is the exact root for inputs changed by a few roundings",
+     Per::kPair, Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
+     Quantity::kBackwardError, judge_backward_error, kRelations, Stage::kIntersection, kStability},
+    {"hit-point", "the hit point is exact, lies on the sphere and on the ray", Per::kPair,
+     Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kPoints, Quantity::kHitPoint,
+     judge_hit_point, kValues, Stage::kIntersection},
+    {"focal-and-pixel",
+     "rays from E and from P hit the same point, and their s differ by the length of P - E",
+     Per::kPair,
+     Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
+         Needs::kPoints,
+     Quantity::kInvariance, judge_focal_and_pixel},
 };
 
 }  // namespace

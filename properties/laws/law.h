@@ -92,6 +92,8 @@ struct Law {
   Per per;
   Needs needs;
   Quantity quantity;  ///< The first quantity that it judges.
+  /// Called only if `needs` are met. It may still leave the case out, with a reason.
+  void (*judge)(Trial&, Verdict&) = nullptr;
   /// Whether it compares single answers with the truth, one quantity at a time, as `check` reports
   /// them. The other laws relate several answers to each other, an answer to the ray that the
   /// candidate made for it, or a plan to the spheres that it leaves out.
@@ -101,9 +103,9 @@ struct Law {
   /// Whether it measures the stability of that stage, rather than something that follows from other
   /// laws.
   bool tells_stability = false;
-  /// Called only if `needs` are met. It may still leave the case out, with a reason.
-  void (*judge)(Trial&, Verdict&) = nullptr;
 };
+/// Law::judges_values, and Law::tells_stability, in the arrays of laws.
+inline constexpr bool kValues = true, kRelations = false, kStability = true;
 
 /// Whether a law needs scenes with a camera.
 constexpr bool is_about_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }

@@ -14,7 +14,6 @@ extern const std::span<const Law> kPixelPlaneLaws;     // pixel_plane.cpp
 extern const std::span<const Law> kPixelRayLaws;       // pixel_ray.cpp
 extern const std::span<const Law> kIntersectLaws;      // intersect.cpp
 extern const std::span<const Law> kNearestSphereLaws;  // nearest_sphere.cpp
-extern const std::span<const Law> kImageLaws;          // image.cpp
 extern const std::span<const Law> kPlanLaws;           // plan.cpp
 extern const std::span<const Law> kMetamorphicLaws;    // metamorphic.cpp
 extern const std::span<const Law> kRefusalLaws;        // refusal.cpp
@@ -33,6 +32,15 @@ double plain_condition(const Candidate& candidate, const reference::ExactRay& ra
 template <class Triple>
 std::vector<double> numbers(const Triple& value) {
   return {value.x, value.y, value.z};
+}
+
+/// Describes an answer and the exact one, which is computed only for a discrepancy.
+template <class Answer, class Exact>
+auto shown(const Answer& got, const Exact& exact) {
+  return [&got, exact](Discrepancy& d) {
+    d.got = numbers(got);
+    d.exact = numbers(exact());
+  };
 }
 
 }  // namespace raycheck::properties

@@ -1,7 +1,10 @@
 // Metamorphic laws: two cases whose answers must correspond.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -25,8 +28,8 @@ constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 /// A transformation of a case.
 struct Transformation {
   std::string what;
-  scene::Vector3 (*map)(const scene::Vector3&);  ///< Maps directions.
-  double factor = 1;                             ///< Multiplies parameters.
+  std::function<scene::Vector3(const scene::Vector3&)> map;  ///< Maps directions.
+  double factor = 1;                                         ///< Multiplies parameters.
 };
 
 /// A candidate's answer about a ray and a sphere.
@@ -226,45 +229,38 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
 /// A permutation of the world axes with signs: coordinates are never rounded.
 struct AxesMap {
   const char* what;
-  bool is_mirror;  ///< It makes right-handed frames left-handed, so it is not used for cameras.
-  scene::Vector3 (*apply)(const scene::Vector3&);
+  std::array<int, 3> axes;  ///< Which axis, counted from 1, becomes the first, second and third.
+  bool is_mirror = false;   ///< It makes right-handed frames left-handed: not used for cameras.
+
+  scene::Vector3 operator()(const scene::Vector3& v) const {
+    const auto along = [&](int axis) {
+      const double x = std::array{v.x, v.y, v.z}[static_cast<std::size_t>(std::abs(axis) - 1)];
+      return axis < 0 ? -x : x;
+    };
+    return {along(axes[0]), along(axes[1]), along(axes[2])};
+  }
 };
 constexpr AxesMap kAxesMaps[] = {
-    {"axes permuted to (y, z, x)", false,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.y, v.z, v.x};
-     }},
-    {"axes negated to (-x, -y, z)", false,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {-v.x, -v.y, v.z};
-     }},
-    {"axes negated to (x, -y, -z)", false,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.x, -v.y, -v.z};
-     }},
-    {"axes swapped to (y, x, z)", true,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.y, v.x, v.z};
-     }},
-    {"axes negated to (x, y, -z)", true,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.x, v.y, -v.z};
-     }},
+    {"axes permuted to (y, z, x)", {2, 3, 1}},
+    {"axes negated to (-x, -y, z)", {-1, -2, 3}},
+    {"axes negated to (x, -y, -z)", {1, -2, -3}},
+    {"axes swapped to (y, x, z)", {2, 1, 3}, true},
+    {"axes negated to (x, y, -z)", {1, 2, -3}, true},
 };
 
 Scene rotated(Scene scene, const AxesMap& map) {
   const auto rotate_point = [&](scene::Point3& p) {
-    const scene::Vector3 v = map.apply({p.x, p.y, p.z});
+    const scene::Vector3 v = map({p.x, p.y, p.z});
     p = {v.x, v.y, v.z};
   };
   if (scene.camera) {
     rotate_point(scene.camera->eye);
     rotate_point(scene.camera->look_at);
-    scene.camera->up = map.apply(scene.camera->up);
+    scene.camera->up = map(scene.camera->up);
   }
   for (scene::Ray& ray : scene.rays) {
     rotate_point(ray.origin);
-    ray.direction = map.apply(ray.direction);
+    ray.direction = map(ray.direction);
   }
   for (scene::Sphere& sphere : scene.spheres) rotate_point(sphere.centre);
   return scene;
@@ -275,7 +271,7 @@ void judge_axes(Trial& trial, Verdict& verdict) {
   if (!nothing.empty()) return verdict.leave_out(std::string(nothing));
   for (const AxesMap& map : kAxesMaps) {
     if (map.is_mirror && trial.scene().camera) continue;
-    compare(trial, verdict, rotated(trial.scene(), map), {map.what, map.apply});
+    compare(trial, verdict, rotated(trial.scene(), map), {map.what, map});
   }
 }
 
@@ -398,37 +394,17 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kMetamorphicLawTable[] = {
-    {.name = "scaling",
-     .sentence = "scaling every length by 2^k scales every answer",
-     .per = Per::kRay,
-     .needs = Needs::kRays,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_scaling},
-    {.name = "axes",
-     .sentence = "permuting or negating the axes permutes or negates every answer",
-     .per = Per::kRay,
-     .needs = Needs::kRays,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_axes},
-    {.name = "look-at",
-     .sentence = "moving look-at along the view axis does not change the frame",
-     .per = Per::kScene,
-     .needs = Needs::kFrame,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_look_at},
-    {.name = "up",
-     .sentence = "adding a multiple of W to up does not change the frame",
-     .per = Per::kScene,
-     .needs = Needs::kFrame,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_up},
-    {.name = "growing-radius",
-     .sentence = "growing r never turns a hit into a miss",
-     .per = Per::kPair,
-     .needs = kOfHits | Needs::kRays,
-     .quantity = Quantity::kClass,
-     .stage = Stage::kIntersection,
-     .judge = judge_growing_radius},
+    {"scaling", "scaling every length by 2^k scales every answer", Per::kRay, Needs::kRays,
+     Quantity::kInvariance, judge_scaling},
+    {"axes", "permuting or negating the axes permutes or negates every answer", Per::kRay,
+     Needs::kRays, Quantity::kInvariance, judge_axes},
+    {"look-at", "moving look-at along the view axis does not change the frame", Per::kScene,
+     Needs::kFrame, Quantity::kInvariance, judge_look_at},
+    {"up", "adding a multiple of W to up does not change the frame", Per::kScene, Needs::kFrame,
+     Quantity::kInvariance, judge_up},
+    {"growing-radius", "growing r never turns a hit into a miss", Per::kPair,
+     kOfHits | Needs::kRays, Quantity::kClass, judge_growing_radius, kRelations,
+     Stage::kIntersection},
 };
 
 }  // namespace

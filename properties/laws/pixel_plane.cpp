@@ -135,10 +135,7 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
         verdict,
         {Quantity::kPixelPoint, trial.place(k), reference::pixel_point_error(ray, points[k])},
         [&] { return reference::condition_of_pixel_point(ray); },
-        [&](Discrepancy& d) {
-          d.got = numbers(points[k]);
-          d.exact = numbers(ray.rounded_pixel_point(trial.precision()));
-        });
+        shown(points[k], [&] { return ray.rounded_pixel_point(trial.precision()); }));
   }
 }
 
@@ -330,39 +327,21 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
       });
 }
 
-/// A law that relates pixel points to the camera or to each other.
-constexpr Law of_points(std::string_view name, std::string_view sentence, Per per,
-                        void (*judge)(Trial&, Verdict&)) {
-  return {.name = name,
-          .sentence = sentence,
-          .per = per,
-          .needs = Needs::kPixelPoints,
-          .quantity = Quantity::kPixelPoint,
-          .judge = judge};
-}
-
 constexpr Law kPixelPlaneLawTable[] = {
-    {.name = "pixel-point",
-     .sentence = "pixel points are E + nW + alpha U + beta V",
-     .per = Per::kRay,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judges_values = true,
-     .stage = Stage::kRays,
-     .tells_stability = true,
-     .judge = judge_pixel_point},
-    of_points("bounds", "first and last pixels lie at left and right, bottom and top", Per::kScene,
-              judge_bounds),
-    of_points("image-plane", "pixels lie in the image plane, evenly spaced", Per::kRay,
-              judge_image_plane),
-    of_points("centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
-              Per::kScene, judge_centre_pixel),
-    of_points("pixel-zero-zero", "pixel (0, 0) is at the corner that the row order names",
-              Per::kScene, judge_pixel_zero_zero),
-    of_points("density", "pixel density does not change the field of view", Per::kRay,
-              judge_density),
-    of_points("square-pixels", "the ratio of the spacings of columns and rows is the exact one",
-              Per::kScene, judge_square_pixels),
+    {"pixel-point", "pixel points are E + nW + alpha U + beta V", Per::kRay, Needs::kPixelPoints,
+     Quantity::kPixelPoint, judge_pixel_point, kValues, Stage::kRays, kStability},
+    {"bounds", "first and last pixels lie at left and right, bottom and top", Per::kScene,
+     Needs::kPixelPoints, Quantity::kPixelPoint, judge_bounds},
+    {"image-plane", "pixels lie in the image plane, evenly spaced", Per::kRay, Needs::kPixelPoints,
+     Quantity::kPixelPoint, judge_image_plane},
+    {"centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
+     Per::kScene, Needs::kPixelPoints, Quantity::kPixelPoint, judge_centre_pixel},
+    {"pixel-zero-zero", "pixel (0, 0) is at the corner that the row order names", Per::kScene,
+     Needs::kPixelPoints, Quantity::kPixelPoint, judge_pixel_zero_zero},
+    {"density", "pixel density does not change the field of view", Per::kRay, Needs::kPixelPoints,
+     Quantity::kPixelPoint, judge_density},
+    {"square-pixels", "the ratio of the spacings of columns and rows is the exact one", Per::kScene,
+     Needs::kPixelPoints, Quantity::kPixelPoint, judge_square_pixels},
 };
 
 }  // namespace

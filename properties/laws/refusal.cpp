@@ -140,12 +140,8 @@ void judge_refusal(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kRefusalLawTable[] = {
-    {.name = "refusal",
-     .sentence = "input that is not finite, or is degenerate, is refused, not answered",
-     .per = Per::kScene,
-     .needs = Needs::kRefusals,
-     .quantity = Quantity::kRefusal,
-     .judge = judge_refusal},
+    {"refusal", "input that is not finite, or is degenerate, is refused, not answered", Per::kScene,
+     Needs::kRefusals, Quantity::kRefusal, judge_refusal},
 };
 
 }  // namespace
