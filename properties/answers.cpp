@@ -1,6 +1,5 @@
 #include "properties/answers.h"
 
-#include <stdexcept>
 #include <string>
 
 #include "scene/validate.h"
@@ -9,12 +8,10 @@ namespace raycheck::properties {
 namespace {
 
 template <class Given>
-const Given& require_count(const Given& answers, std::size_t expected, const char* what) {
-  if (answers.size() != expected) {
-    throw CandidateFailed("the candidate returned " + std::to_string(answers.size()) + " " + what +
-                          " where " + std::to_string(expected) + " were asked for");
-  }
-  return answers;
+void require_count(const Given& answers, std::size_t expected, const char* what) {
+  if (answers.size() == expected) return;
+  throw CandidateFailed("the candidate returned " + std::to_string(answers.size()) + " " + what +
+                        " where " + std::to_string(expected) + " were asked for");
 }
 
 /// The valid rays, and their indices among all rays.

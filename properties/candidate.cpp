@@ -16,17 +16,6 @@ double length(const Triple& v) {
 
 }  // namespace
 
-Domain judged_in(scene::Precision precision, Domain domain) {
-  if (precision == scene::Precision::kDouble) return domain;
-  const auto cut = [](double& smallest, double& largest) {
-    smallest = std::max(smallest, kSmallestSingleLength);
-    largest = std::min(largest, kLargestSingleLength);
-  };
-  cut(domain.smallest_length, domain.largest_length);
-  cut(domain.smallest_camera_length, domain.largest_camera_length);
-  return domain;
-}
-
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest) {
   const auto within = [&](double size) {
     return size == 0 || (std::abs(size) >= smallest && std::abs(size) <= largest);
@@ -107,7 +96,12 @@ Candidate judged_in(scene::Precision precision, Candidate candidate) {
   }
   candidate.precision = precision;
   candidate.unit_roundoff = std::max(candidate.unit_roundoff, roundoff);
-  static_cast<Domain&>(candidate) = judged_in(precision, static_cast<const Domain&>(candidate));
+  for (double* smallest : {&candidate.smallest_length, &candidate.smallest_camera_length}) {
+    *smallest = std::max(*smallest, kSmallestSingleLength);
+  }
+  for (double* largest : {&candidate.largest_length, &candidate.largest_camera_length}) {
+    *largest = std::min(*largest, kLargestSingleLength);
+  }
   return candidate;
 }
 

@@ -8,7 +8,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "contract/declarations.h"
@@ -38,9 +37,6 @@ inline constexpr double kSmallestJudgedLength = 0x1p-960;
 /// single precision, scenes with other lengths are not judged.
 inline constexpr double kSmallestSingleLength = 0x1p-30;
 inline constexpr double kLargestSingleLength = 0x1p30;
-
-/// A domain cut to the lengths that are judged in a format.
-Domain judged_in(scene::Precision precision, Domain domain);
 
 /// True if every nonzero length of the scene lies in [smallest, largest]. The distance of a sphere
 /// of radius 0 counts as a length.

@@ -1,29 +1,12 @@
 #include "properties/sphere_choice.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "reference/account/nearby_choice.h"
 #include "reference/ray_error.h"
 #include "reference/visibility/visibility.h"
 
 namespace raycheck::properties {
-
-bool is_right(const Choice& choice) {
-  const auto& [ray, got, exact, what, is_first_of_ties] = choice;
-  if (!exact || !got) return !exact && !got;
-  if (got == kSomeSphere || *got == exact->index) return true;
-  return !is_first_of_ties &&
-         std::find(exact->ties.begin(), exact->ties.end(), *got) != exact->ties.end();
-}
-
-Wrong wrong_of(const Choice& choice) {
-  return is_right(choice) ? Wrong::kNot
-         : !choice.exact  ? Wrong::kFalseHit
-         : !choice.got    ? Wrong::kMissed
-                          : Wrong::kWrongSphere;
-}
-
 namespace {
 
 /// A declared tolerance that allows a choice, or 0: it is within one, or it is first among the
@@ -48,7 +31,44 @@ double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
   return is_right({ray, got, first}) ? size : 0;
 }
 
+/// Whether the ray starts inside a sphere, where its hit is not a root that counts.
+bool starts_inside_some(Trial& trial, std::size_t ray) {
+  return trial.candidate().interface.from_inside != contract::FromInside::kRoot &&
+         std::ranges::any_of(trial.scene().spheres, [&](const scene::Sphere& sphere) {
+           return starts_inside(trial.exact_ray(ray), sphere);
+         });
+}
+
+Standing standing_of(Trial& trial, std::size_t ray, Index got) {
+  const auto& spheres = trial.scene().spheres;
+  const scene::Conventions& conventions = trial.conventions();
+  const bool may_be_unjudged =
+      std::any_of(spheres.begin(), spheres.end(), [&](const scene::Sphere& sphere) {
+        return is_unjudged(trial.exact_ray(ray).intersect(sphere, conventions),
+                           conventions.tangent);
+      });
+  if (!trial.inside_domain() || may_be_unjudged || starts_inside_some(trial, ray)) {
+    return Standing::kNotJudged;
+  }
+  return excuse(trial, ray, got, trial.excused_change()).standing();
+}
+
 }  // namespace
+
+bool is_right(const Choice& choice) {
+  const auto& [ray, got, exact, what, is_first_of_ties] = choice;
+  if (!exact || !got) return !exact && !got;
+  if (got == kSomeSphere || *got == exact->index) return true;
+  return !is_first_of_ties &&
+         std::find(exact->ties.begin(), exact->ties.end(), *got) != exact->ties.end();
+}
+
+Wrong wrong_of(const Choice& choice) {
+  return is_right(choice) ? Wrong::kNot
+         : !choice.exact  ? Wrong::kFalseHit
+         : !choice.got    ? Wrong::kMissed
+                          : Wrong::kWrongSphere;
+}
 
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
   using reference::FirstMet;
@@ -80,18 +100,6 @@ void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected
       });
 }
 
-namespace {
-
-/// Whether the ray starts inside a sphere, where its hit is not a root that counts.
-bool starts_inside_some(Trial& trial, std::size_t ray) {
-  return trial.candidate().interface.from_inside != contract::FromInside::kRoot &&
-         std::ranges::any_of(trial.scene().spheres, [&](const scene::Sphere& sphere) {
-           return starts_inside(trial.exact_ray(ray), sphere);
-         });
-}
-
-}  // namespace
-
 SpheresMet spheres_met(Trial& trial) {
   SpheresMet met{std::vector<std::uint32_t>(trial.ray_count()),
                  std::vector<bool>(trial.ray_count())};
@@ -109,24 +117,6 @@ SpheresMet spheres_met(Trial& trial) {
   }
   return met;
 }
-
-namespace {
-
-Standing standing_of(Trial& trial, std::size_t ray, Index got) {
-  const auto& spheres = trial.scene().spheres;
-  const scene::Conventions& conventions = trial.conventions();
-  const bool may_be_unjudged =
-      std::any_of(spheres.begin(), spheres.end(), [&](const scene::Sphere& sphere) {
-        return is_unjudged(trial.exact_ray(ray).intersect(sphere, conventions),
-                           conventions.tangent);
-      });
-  if (!trial.inside_domain() || may_be_unjudged || starts_inside_some(trial, ray)) {
-    return Standing::kNotJudged;
-  }
-  return excuse(trial, ray, got, trial.excused_change()).standing();
-}
-
-}  // namespace
 
 std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const std::int32_t> seen) {
   const auto& spheres = trial.scene().spheres;

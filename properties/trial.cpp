@@ -46,29 +46,6 @@ std::shared_ptr<TrialPart> part_of(const Trial& whole, std::size_t from, std::si
                                      whole.candidate(), options);
 }
 
-}  // namespace
-
-std::uint64_t count_asked(const Trial& trial, bool by_sphere) {
-  const std::size_t spheres = trial.scene().spheres.size();
-  return trial.ray_count() * (by_sphere ? std::max<std::size_t>(1, spheres) : 1);
-}
-
-const std::vector<std::shared_ptr<TrialPart>>& FailedParts::halves(const Trial& whole) {
-  if (halves_.empty()) {
-    const std::size_t all = count_asked(whole, whole.ray_count() <= 1);
-    halves_ = {part_of(whole, 0, all / 2), part_of(whole, all / 2, all)};
-  }
-  return halves_;
-}
-
-Place TrialPart::place(Place of_part) const {
-  if (!of_part.pixel) of_part.ray += first_ray;
-  if (of_part.sphere) *of_part.sphere += first_sphere;
-  return of_part;
-}
-
-namespace {
-
 /// Whether the hit class of an answer, or its root if it has one, differs from the exact one.
 bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
               const Promises& promises) {
@@ -113,6 +90,25 @@ reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbo
 }
 
 }  // namespace
+
+std::uint64_t count_asked(const Trial& trial, bool by_sphere) {
+  const std::size_t spheres = trial.scene().spheres.size();
+  return trial.ray_count() * (by_sphere ? std::max<std::size_t>(1, spheres) : 1);
+}
+
+const std::vector<std::shared_ptr<TrialPart>>& FailedParts::halves(const Trial& whole) {
+  if (halves_.empty()) {
+    const std::size_t all = count_asked(whole, whole.ray_count() <= 1);
+    halves_ = {part_of(whole, 0, all / 2), part_of(whole, all / 2, all)};
+  }
+  return halves_;
+}
+
+Place TrialPart::place(Place of_part) const {
+  if (!of_part.pixel) of_part.ray += first_ray;
+  if (of_part.sphere) *of_part.sphere += first_sphere;
+  return of_part;
+}
 
 bool is_at_start(const reference::ExactRay& ray, const scene::Sphere& sphere,
                  const Promises& promises) {

@@ -23,6 +23,12 @@ double length(const scene::Vector3& v);
 scene::Point3 along(const scene::Point3& origin, double t, const scene::Vector3& direction);
 scene::Vector3 times(double factor, const scene::Vector3& v);
 scene::Vector3 cross(const scene::Vector3& a, const scene::Vector3& b);
+/// The coordinates in one of the three orders that keep handedness.
+template <class Triple>
+Triple turned(Triple v, std::int64_t turns) {
+  for (; turns > 0; --turns) v = {v.z, v.x, v.y};
+  return v;
+}
 /// A camera's axes.
 struct Axes {
   explicit Axes(const scene::Camera& camera);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Compares a candidate's answers with the right ones, step by step. Internal to answer_explanation.
+// Compares a candidate's answers with the right ones, step by step, and finds out from them which
+// formula loses digits. Internal to answer_explanation.
 
 #include <array>
 #include <optional>
@@ -97,5 +98,13 @@ class Examination {
   std::size_t left_out_ = 0;
   std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
 };
+
+// Which formula loses digits (lost_digits.cpp); each is empty if the cause is not found.
+/// The roundings that explain the wrong answers at kIntersect or kNearest.
+std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance);
+/// The cause of the errors of hits that are right up to kAnswerTolerances.
+std::optional<AnswerCause> lost_digits(Examination& examination);
+/// The cause of the errors of directions that are right up to kAnswerTolerances.
+std::optional<AnswerCause> lost_digits_of_rays(Examination& examination);
 
 }  // namespace raycheck::properties

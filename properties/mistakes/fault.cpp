@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "properties/case.h"
 #include "properties/mistakes/mistake_list.h"

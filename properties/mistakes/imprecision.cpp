@@ -34,8 +34,7 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   const double r = sphere.radius, t = norm(T);
   const double v = T.x * D.x + T.y * D.y + T.z * D.z;
   // |T x D| and the bound of its error, as for v.
-  const double m =
-      norm(Vector3{T.y * D.z - T.z * D.y, T.z * D.x - T.x * D.z, T.x * D.y - T.y * D.x});
+  const double m = norm(cross(T, D));
   const double off = kRoundings * u * (norm(ray.origin) + norm(sphere.centre) + t + r);
   double error = 2 * off * (m + r) + off * off;
   if (cancels) error += kRoundings * u * (t * t + r * r);

@@ -38,7 +38,6 @@ Mistake of_value(std::string sentence, ChangeHit change,
           .is_offered = is_offered};
 }
 
-bool returns_points(const Candidate& candidate) { return gives_point(candidate.interface.returns); }
 bool returns_multiples(const Candidate& candidate) {
   return candidate.interface.returns == Returns::kHit ||
          candidate.interface.returns == Returns::kParameter;

@@ -1,11 +1,10 @@
-#include "properties/mistakes/lost_digits.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "fast/camera_frame.h"
 #include "fast/intersect.h"
+#include "properties/mistakes/answer_examination.h"
 #include "properties/mistakes/mistake_list.h"
 
 namespace raycheck::properties {
@@ -119,7 +118,6 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
 
 }  // namespace
 
-/// The roundings that explain the answers at a step, if there are such.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
   for (const Arithmetic arithmetic : {Arithmetic::kDifference, Arithmetic::kExpanded,
                                       Arithmetic::kSingle, Arithmetic::kSingleDifference}) {

@@ -26,7 +26,16 @@ template <class Triple>
 double norm(const Triple& v) {
   return std::hypot(v.x, v.y, v.z);
 }
+template <class A, class B>
+scene::Vector3 cross(const A& a, const B& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 scene::Vector3 normalised(const scene::Vector3& v);
+
+/// For Mistake::is_offered.
+inline bool returns_points(const Candidate& candidate) {
+  return gives_point(candidate.interface.returns);
+}
 
 /// A mistake whose answers are right for another camera.
 inline Mistake camera_mistake(std::string sentence, ChangeCamera change,

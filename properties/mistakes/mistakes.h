@@ -72,6 +72,8 @@ struct Mistake {
   /// Whether it replaces i/(w-1), or (i+1/2)/w, in alpha or beta. Two of these might cancel out.
   bool places_pixels = false;
 
+  /// The name of its group; without a group its sentence.
+  std::string_view name() const { return group.empty() ? std::string_view(sentence) : group; }
   /// Whether the mistake is in the formulas of rays.
   bool makes_rays() const { return rays.frame || rays.point || rays.direction; }
 };

@@ -284,8 +284,7 @@ std::vector<Mistake> float_mistakes() {
     add({.sentence = what,
          .step = Step::kIntersect,
          .hit = [s = s, Q = Q](auto& ray, auto&, auto hit) { return of_floats(ray, hit, s, Q); }});
-    if (Q)
-      all.back().is_offered = [](const Candidate& c) { return gives_point(c.interface.returns); };
+    if (Q) all.back().is_offered = returns_points;
   }
   add({.sentence = "P is rounded to floats",
        .step = Step::kPixelPoint,

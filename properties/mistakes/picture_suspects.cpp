@@ -87,18 +87,12 @@ bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
   return true;
 }
 
-std::string_view name_of(const Mistake* one) {
-  return one->group.empty() ? std::string_view(one->sentence) : one->group;
-}
-
 /// Keeps the first of suspects that differ only within a group.
 void keep_first_of_groups(std::vector<Suspect>& suspects) {
   std::set<std::vector<std::string_view>> known;
   std::erase_if(suspects, [&](const Suspect& suspect) {
     std::vector<std::string_view> names;
-    for (const Mistake* mistake : suspect.fault) {
-      names.push_back(name_of(mistake));
-    }
+    for (const Mistake* mistake : suspect.fault) names.push_back(mistake->name());
     return !known.insert(names).second;
   });
 }
@@ -255,11 +249,11 @@ std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pi
   const std::size_t enough = all.size() / kShareThatShows;
   if (mistakes_that_show(pictures, enough).size() == enough) return pairs;
   std::set<std::string_view> explaining;
-  for (const Suspect& one : singles) explaining.insert(name_of(one.fault.front()));
+  for (const Suspect& one : singles) explaining.insert(one.fault.front()->name());
   for (std::size_t a = 0; a < all.size(); ++a) {
     for (std::size_t b = a + 1; b < all.size(); ++b) {
       const Fault fault = {all[a], all[b]};
-      if (explaining.contains(name_of(all[a])) || explaining.contains(name_of(all[b])) ||
+      if (explaining.contains(all[a]->name()) || explaining.contains(all[b]->name()) ||
           !can_be_together(*all[a], *all[b])) {
         continue;
       }
