@@ -248,19 +248,13 @@ RoundedCase rounded_scene(scene::Scene scene, InputFormat format) {
 
 bool is_of_format(const scene::Scene& scene, InputFormat format) {
   const Precision precision = format.precision;
-  bool all = !format.unit_directions ||
-             std::all_of(scene.rays.begin(), scene.rays.end(),
-                         [&](const scene::Ray& ray) { return is_unit(ray.direction, precision); });
-  if (format.segments) {
-    all = all && std::ranges::all_of(scene.rays, [&](const scene::Ray& ray) {
-            return rounded_ray(ray, format) == ray;
-          });
-  }
-  if (scene.camera) {
-    scene::Camera camera = *scene.camera;
-    all = all && !fit_window(camera, format) && !fit_view(camera, format);
-  }
   scene::Scene copy = scene;
+  bool all = std::ranges::all_of(scene.rays, [&](const scene::Ray& ray) {
+    return (!format.unit_directions || is_unit(ray.direction, precision)) &&
+           (!format.segments || rounded_ray(ray, format) == ray);
+  });
+  all =
+      all && !(copy.camera && (fit_window(*copy.camera, format) || fit_view(*copy.camera, format)));
   all = all && !fit_spheres(copy, format);
   if (precision == Precision::kDouble || !all) return all;
   const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };

@@ -96,10 +96,10 @@ std::uint64_t count_asked(const Trial& trial, bool by_sphere) {
   return trial.ray_count() * (by_sphere ? std::max<std::size_t>(1, spheres) : 1);
 }
 
-const std::vector<std::shared_ptr<TrialPart>>& FailedParts::halves(const Trial& whole) {
+const std::vector<std::shared_ptr<TrialPart>>& Trial::halves() {
   if (halves_.empty()) {
-    const std::size_t all = count_asked(whole, whole.ray_count() <= 1);
-    halves_ = {part_of(whole, 0, all / 2), part_of(whole, all / 2, all)};
+    const std::size_t all = count_asked(*this, ray_count() <= 1);
+    halves_ = {part_of(*this, 0, all / 2), part_of(*this, all / 2, all)};
   }
   return halves_;
 }

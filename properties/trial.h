@@ -43,22 +43,6 @@ struct FailureSearch {
 /// The number of rays of a trial; with `by_sphere`, the number of pairs of a ray and a sphere.
 std::uint64_t count_asked(const Trial& trial, bool by_sphere);
 
-/// The parts in which a failed trial is asked again.
-class FailedParts {
- public:
-  /// The two halves of its rays, or of one ray's spheres, as separate trials, which are made once
-  /// and kept.
-  /// Domain: more than one ray or sphere.
-  const std::vector<std::shared_ptr<TrialPart>>& halves(const Trial& whole);
-  bool is_halved() const { return !halves_.empty(); }
-  /// Whether no law has recorded a failure of the whole with this message yet; records it.
-  bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
-
- private:
-  std::vector<std::shared_ptr<TrialPart>> halves_;
-  std::set<std::string> failures_;
-};
-
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound that replaces the candidate's own.
   bool conditioning = false;             ///< Whether to weigh every error by its condition number.
@@ -215,8 +199,13 @@ class Trial : public Answers {
   /// Where to search for a witness: inputs for which an answer is right.
   reference::Neighbourhood neighbourhood(double relative_change) const;
 
-  /// The parts in which this trial is asked again if it fails as a batch.
-  FailedParts& failed_parts() { return failed_parts_; }
+  // If this trial fails as a batch:
+  /// The two halves of its rays, or of one ray's spheres, as separate trials, in which it is asked
+  /// again. They are made once and kept. Domain: more than one ray or sphere.
+  const std::vector<std::shared_ptr<TrialPart>>& halves();
+  bool is_halved() const { return !halves_.empty(); }
+  /// Whether no law has recorded a failure of the whole with this message yet; records it.
+  bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
 
  private:
   /// The functions that measure() calls for an error that is weighed or above its bound.
@@ -247,7 +236,8 @@ class Trial : public Answers {
 
   TrialOptions options_;
   bool inside_domain_;
-  FailedParts failed_parts_;
+  std::vector<std::shared_ptr<TrialPart>> halves_;
+  std::set<std::string> failures_;
 };
 
 /// Some of a trial's rays, or some spheres of its one ray.

@@ -60,7 +60,7 @@ std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
   if (!kept) {
     std::vector<Meeting> found;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
-      if (!may_meet(k, sphere)) continue;
+      if (plan_ && !plan_->spheres[sphere].pixels.contains(case_.pixels[k])) continue;
       const auto at =
           exact_intersection(ray(k), case_.scene.spheres[sphere], conventions_, from_inside_);
       if (at.hit_class != reference::HitClass::kMiss) found.push_back({k, at});
@@ -68,10 +68,6 @@ std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
     kept = std::move(found);
   }
   return *kept;
-}
-
-bool Truth::may_meet(std::size_t ray, std::size_t sphere) const {
-  return plan_ == nullptr || plan_->spheres[sphere].pixels.contains(case_.pixels[ray]);
 }
 
 Meeting* Truth::find(std::size_t ray, std::size_t sphere) {

@@ -70,7 +70,6 @@ class Truth {
  private:
   std::vector<Meeting>& known_meetings(std::size_t sphere);
   Meeting* find(std::size_t ray, std::size_t sphere);
-  bool may_meet(std::size_t ray, std::size_t sphere) const;
 
   const Case& case_;
   scene::Conventions conventions_;

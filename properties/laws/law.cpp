@@ -146,7 +146,7 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   LawJudgement all{Verdict(law.name)};
   bool is_second = false;
-  for (const std::shared_ptr<TrialPart>& half : trial.failed_parts().halves(trial)) {
+  for (const std::shared_ptr<TrialPart>& half : trial.halves()) {
     const bool is_to_blame = is_second && !all.failed && count_asked(half->trial, by_sphere) > 1;
     const bool halves_at_once = is_to_blame && !half->trial.options().search->is_over();
     LawJudgement one = halves_at_once ? judge_halves(law, half->trial) : judge(law, half->trial);
@@ -172,14 +172,14 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const CandidateFailed& er
   const bool by_sphere = asks_by_sphere(law, trial);
   const std::uint64_t questions = count_asked(trial, by_sphere);
   const auto failed_once = [&](Blame blame, int& count) {
-    if (!trial.failed_parts().is_new(message)) return LawJudgement{Verdict(law.name), true};
+    if (!trial.is_new(message)) return LawJudgement{Verdict(law.name), true};
     ++count;
     FailureSite failed{blame, questions, {}, error.line, error.timed_out};
     if (blame == Blame::kQuestion) failed.scene = trial.asked_scene();
     return judged_failure(law, trial, Wrong::kFailed, message, failed);
   };
   if (questions <= 1) return failed_once(Blame::kQuestion, search->found);
-  if (search->is_over() && !trial.failed_parts().is_halved()) {
+  if (search->is_over() && !trial.is_halved()) {
     return failed_once(Blame::kAmong, search->not_sought);
   }
   LawJudgement judged = judge_halves(law, trial);

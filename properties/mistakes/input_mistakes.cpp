@@ -22,6 +22,12 @@ Mistake convention_mistake(std::string sentence, ChangeConventions change, Step 
   return {.sentence = std::move(sentence), .step = step, .conventions = std::move(change)};
 }
 
+/// The number of pixels that are written before this one, beginning in the top row.
+std::int64_t written_before(const Camera& its, const Conventions& conventions, const Pixel& p) {
+  const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+  return (bottom_first ? its.height - 1 - p.j : p.j) * its.width + p.i;
+}
+
 /// Exchanged loops: the picture is written as `width` lines of `height` pixels, and read as
 /// `height` lines of `width` pixels.
 Mistake lines_for_columns(const std::string& outside, bool from_last) {
@@ -31,9 +37,7 @@ Mistake lines_for_columns(const std::string& outside, bool from_last) {
           outside,
       [from_last](const Camera& its, const Conventions& conventions, const Pixel& p) {
         const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-        const std::int64_t row = bottom_first ? its.height - 1 - p.j : p.j;
-        const std::int64_t k = row * its.width + p.i;
-        const std::int64_t line = k / its.height;
+        const std::int64_t k = written_before(its, conventions, p), line = k / its.height;
         const std::int64_t last = (from_last ? its.width : its.height) - 1;
         return Pixel{k % its.height, bottom_first ? last - line : line};
       });
@@ -76,9 +80,7 @@ std::vector<Mistake> pixel_mistakes() {
   const auto by_columns = [](bool from_top) {
     return [from_top](const Camera& its, const Conventions& conventions, const Pixel& p) {
       const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-      const std::int64_t row = bottom_first ? its.height - 1 - p.j : p.j;
-      const std::int64_t k = row * its.width + p.i;
-      const std::int64_t down = k % its.height;
+      const std::int64_t k = written_before(its, conventions, p), down = k % its.height;
       return Pixel{k / its.height, from_top == bottom_first ? its.height - 1 - down : down};
     };
   };
