@@ -13,17 +13,17 @@ namespace {
 /// spheres that are not.
 double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
   if (trial.candidate().tolerances == contract::Tolerances{}) return 0;
-  const reference::ExactRay& exact = trial.exact_ray(ray);
+  const ExactRay& exact = trial.exact_ray(ray);
   const auto& spheres = trial.scene().spheres;
   double size = 0;
-  std::optional<reference::NearestSphere> first;
+  std::optional<NearestSphere> first;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     if (const double one = trial.tolerance(exact, spheres[k]); one > 0) {
       size = one;
       if (got == k) return size;
       continue;
     }
-    const reference::Intersection at = exact.intersect(spheres[k], trial.conventions());
+    const Intersection at = exact.intersect(spheres[k], trial.conventions());
     if (counts_as_hit(at.hit_class, trial.conventions().tangent)) {
       exact.keep_nearest(spheres, k, at, first);
     }
@@ -34,16 +34,16 @@ double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
 /// Whether the ray starts inside a sphere, where its hit is not a root that counts.
 bool starts_inside_some(Trial& trial, std::size_t ray) {
   return trial.candidate().interface.from_inside != contract::FromInside::kRoot &&
-         std::ranges::any_of(trial.scene().spheres, [&](const scene::Sphere& sphere) {
+         std::ranges::any_of(trial.scene().spheres, [&](const Sphere& sphere) {
            return starts_inside(trial.exact_ray(ray), sphere);
          });
 }
 
 Standing standing_of(Trial& trial, std::size_t ray, Index got) {
   const auto& spheres = trial.scene().spheres;
-  const scene::Conventions& conventions = trial.conventions();
+  const Conventions& conventions = trial.conventions();
   const bool may_be_unjudged =
-      std::any_of(spheres.begin(), spheres.end(), [&](const scene::Sphere& sphere) {
+      std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& sphere) {
         return is_unjudged(trial.exact_ray(ray).intersect(sphere, conventions),
                            conventions.tangent);
       });
@@ -106,7 +106,7 @@ SpheresMet spheres_met(Trial& trial) {
   const scene::Tangent tangent = trial.conventions().tangent;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
-      const reference::Intersection& at = meeting.intersection;
+      const Intersection& at = meeting.intersection;
       if (is_unjudged(at, tangent)) met.is_unjudged[meeting.ray] = true;
       if (counts_as_hit(at.hit_class, tangent)) ++met.count[meeting.ray];
     }
@@ -135,7 +135,7 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
       if (hit == nullptr)
         throw CandidateFailed("the candidate misses the sphere that it names as nearest");
-      const reference::ExactRay& exact = trial.exact_ray(ray);
+      const ExactRay& exact = trial.exact_ray(ray);
       errors[ray].ulp =
           reference::parameter_error(exact, spheres[*got],
                                      exact.intersect(spheres[*got], trial.conventions()),

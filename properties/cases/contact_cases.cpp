@@ -11,10 +11,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Point3;
-using scene::Sphere;
-using scene::Vector3;
-
 Case tangency(int severity, std::uint64_t seed) {
   Random random(seed);
   return ray_case(random, ordinary_origin(random), [severity](Random& draw, const Line& line) {

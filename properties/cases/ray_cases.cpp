@@ -12,10 +12,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Point3;
-using scene::Sphere;
-using scene::Vector3;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Sphere ordinary_sphere(Random& random, const Line& line) {

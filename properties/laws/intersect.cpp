@@ -7,8 +7,8 @@
 
 namespace raycheck::properties {
 
-double plain_condition(const Candidate& candidate, const reference::ExactRay& ray,
-                       const scene::Sphere& sphere, const reference::Intersection& at) {
+double plain_condition(const Candidate& candidate, const ExactRay& ray, const Sphere& sphere,
+                       const Intersection& at) {
   if (candidate.level != Level::kOrdinary) return 0;
   return reference::distance_in_radii(ray, sphere) <= kOrdinaryDistance
              ? reference::textbook_condition(ray, sphere, at)
@@ -17,12 +17,6 @@ double plain_condition(const Candidate& candidate, const reference::ExactRay& ra
 
 namespace {
 
-using reference::Enclosure;
-using reference::Enclosure3;
-using reference::ExactRay;
-using reference::Intersection;
-using reference::WhichRoot;
-
 /// A ray and a sphere that meet according to the candidate, the truth or both.
 struct Encounter {
   Trial& trial;
@@ -30,7 +24,7 @@ struct Encounter {
   const HitAnswer* answer;    ///< Null: a miss.
   const Intersection* exact;  ///< Null: a miss.
   const ExactRay& ray = trial.exact_ray(ray_at);
-  const scene::Sphere& sphere = trial.scene().spheres[sphere_at];
+  const Sphere& sphere = trial.scene().spheres[sphere_at];
 
   Place place() const { return trial.place(ray_at, sphere_at); }
   /// Whether the exact hit is the start of the ray.
@@ -241,8 +235,8 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
 /// size of these coordinates over r and over s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const ExactRay& ray = at.ray;
-  const scene::Sphere& sphere = at.sphere;
-  const scene::Point3& answer = at.answer->point;
+  const Sphere& sphere = at.sphere;
+  const Point3& answer = at.answer->point;
   const auto measure = [&](Quantity quantity, const std::optional<scene::Measured>& error,
                            const auto& scale, const std::function<double()>& plain,
                            const std::function<double()>& tolerance) {
@@ -250,8 +244,8 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
     trial.measure(
         verdict, {quantity, at.place(), *error},
         [&] {
-          const Enclosure3 point = reference::enclose_exactly(answer);
-          const Enclosure3 centre = reference::enclose_exactly(sphere.centre);
+          const Enclosure3 point = enclose_exactly(answer);
+          const Enclosure3 centre = enclose_exactly(sphere.centre);
           const Enclosure3 origin = ray.enclose(256).origin();
           const Enclosure radius(sphere.radius, 256);
           const Enclosure size = norm(point) + norm(centre) + norm(origin) + radius;
@@ -273,14 +267,14 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
 
 /// Judges Q, which must be the origin of the ray as the candidate got it.
 void judge_start(Trial& trial, Verdict& verdict, const Encounter& at) {
-  const scene::Point3& origin = trial.rays()[at.ray_at].origin;
-  const Enclosure3 exact = reference::enclose_exactly(origin);
-  const Enclosure off = norm(reference::enclose_exactly(at.answer->point) - exact);
-  const Enclosure size = norm(exact) + norm(reference::enclose_exactly(at.sphere.centre));
+  const Point3& origin = trial.rays()[at.ray_at].origin;
+  const Enclosure3 exact = enclose_exactly(origin);
+  const Enclosure off = norm(enclose_exactly(at.answer->point) - exact);
+  const Enclosure size = norm(exact) + norm(enclose_exactly(at.sphere.centre));
   trial.measure(
       verdict,
       {Quantity::kHitPoint, at.place(),
-       reference::in_units_of_u(off / (size + Enclosure(at.sphere.radius, 256)))},
+       in_units_of_u(off / (size + Enclosure(at.sphere.radius, 256)))},
       [] { return 1; }, shown(at.answer->point, [&] { return origin; }));
 }
 
@@ -313,10 +307,10 @@ struct BothOrigins {
   const ExactRay& pixel_ray;
   const HitAnswer& eye_hit;
   const HitAnswer& pixel_hit;
-  scene::Precision precision;
+  Precision precision;
 };
 
-void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphere& sphere,
+void describe_origins(Discrepancy& d, const BothOrigins& both, const Sphere& sphere,
                       const Intersection& at) {
   d.what = "s from the eye, s from the pixel";
   d.symbol.clear();
@@ -332,7 +326,7 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
 /// nearby inputs have it.
 bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
                       const Intersection& at) {
-  const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
+  const Sphere& sphere = trial.scene().spheres[*place.sphere];
   const auto is_wrong = [&](const ExactRay& ray, const HitAnswer& hit) {
     return reference::is_at_other_root(ray, sphere, at, hit.parameter);
   };
@@ -355,22 +349,22 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
     return verdict.leave_out("t_min and t_max count from the origin of the ray, which differs");
   }
   const Candidate& candidate = trial.candidate();
-  scene::Conventions from_pixel = trial.conventions();
+  Conventions from_pixel = trial.conventions();
   from_pixel.origin = scene::Origin::kPixel;
-  scene::Conventions from_eye = from_pixel;
+  Conventions from_eye = from_pixel;
   from_eye.origin = scene::Origin::kFocal;
-  const scene::Camera& camera = *trial.scene().camera;
-  const auto exact_camera = [&](const scene::Conventions& by) {
-    return by == trial.conventions() ? trial.exact_camera() : reference::ExactCamera(camera, by);
+  const Camera& camera = *trial.scene().camera;
+  const auto exact_camera = [&](const Conventions& by) {
+    return by == trial.conventions() ? trial.exact_camera() : ExactCamera(camera, by);
   };
-  const reference::ExactCamera pixel_camera = exact_camera(from_pixel);
-  const reference::ExactCamera eye_camera = exact_camera(from_eye);
+  const ExactCamera pixel_camera = exact_camera(from_pixel);
+  const ExactCamera eye_camera = exact_camera(from_eye);
   const auto pixel_rays = candidate.pixel_rays(camera, from_pixel, trial.pixels());
   const auto eye_rays = candidate.focal_rays(camera, from_eye, trial.pixels());
   const auto all_pixel_hits = trial.intersect(pixel_rays, trial.scene().spheres, from_pixel);
   const auto all_eye_hits = trial.intersect(eye_rays, trial.scene().spheres, from_eye);
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
+    const Sphere& the_sphere = trial.scene().spheres[sphere];
     for (const RayHit& eye : all_eye_hits[sphere]) {
       const std::size_t k = eye.ray;
       const HitAnswer* const pixel_hit = find_hit(all_pixel_hits[sphere], k);
@@ -383,7 +377,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
       const Intersection at = met_by(eye_ray);
       // The exact root or hit class from the pixel differs, because the sphere reaches behind the
       // pixel; or the hit is the start of a ray.
-      if (at.hit_class != reference::HitClass::kHit || !(at == met_by(pixel_ray)) ||
+      if (at.hit_class != HitClass::kHit || !(at == met_by(pixel_ray)) ||
           is_at_start(eye_ray, the_sphere, candidate) ||
           is_at_start(pixel_ray, the_sphere, candidate)) {
         continue;
@@ -410,14 +404,13 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
                         trial.tolerance(pixel_ray, the_sphere, pixel_hit->parameter));
       };
       trial.measure(verdict,
-                    {Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
+                    {Quantity::kInvariance, place, in_units_of_u(off / scale),
                      2 * trial.bound(Quantity::kParameter)},
                     condition, describe, {}, plain, tolerance);
-      const Enclosure3 apart =
-          reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
+      const Enclosure3 apart = enclose_exactly(eye.hit.point) - enclose_exactly(pixel_hit->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
       trial.measure(verdict,
-                    {Quantity::kInvariance, place, reference::in_units_of_u(norm(apart) / size),
+                    {Quantity::kInvariance, place, in_units_of_u(norm(apart) / size),
                      2 * trial.bound(Quantity::kHitPoint)},
                     condition, describe, {}, plain, tolerance);
     }

@@ -77,7 +77,7 @@ constexpr Need kNeeds[] = {
      "only raycheck's methods are given invalid input"},
     {Needs::kImage,
      [](const Trial& trial) {
-       const scene::Camera& camera = *trial.scene().camera;
+       const Camera& camera = *trial.scene().camera;
        return camera.width <= trial.candidate().most_image_pixels / camera.height;
      },
      "the image is larger than those that the candidate is asked for"},
@@ -85,7 +85,7 @@ constexpr Need kNeeds[] = {
      "the scene has no spheres", true},
     {Needs::kVisible,
      [](const Trial& trial) {
-       const scene::Camera& camera = *trial.scene().camera;
+       const Camera& camera = *trial.scene().camera;
        return std::max(camera.width, camera.height) <= trial.candidate().most_visible_across;
      },
      "the image is larger than those that visible() is asked for"},
@@ -242,24 +242,24 @@ bool scene_suits(Needs needs, const Trial& trial) {
 }
 
 Place GivenRays::place(Place of_ray) const {
-  const scene::Pixel& pixel = pixels.at(of_ray.ray);
+  const Pixel& pixel = pixels.at(of_ray.ray);
   of_ray.ray = static_cast<std::size_t>(pixel.j * width + pixel.i);
   of_ray.pixel = pixel;
   return of_ray;
 }
 
-std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
+std::optional<GivenRays> given_rays(const Case& the_case, const Conventions& conventions,
                                     InputFormat format) {
-  const reference::ExactCamera camera(the_case.scene.camera.value(), conventions);
+  const ExactCamera camera(the_case.scene.camera.value(), conventions);
   GivenRays given;
   given.width = the_case.scene.camera->width;
-  scene::Scene& scene = given.the_case.scene;
+  Scene& scene = given.the_case.scene;
   scene.spheres = the_case.scene.spheres;
   scene.conventions = the_case.scene.conventions;
-  for (const scene::Pixel& pixel : the_case.pixels) {
-    const reference::ExactRay exact(camera, pixel);
+  for (const Pixel& pixel : the_case.pixels) {
+    const ExactRay exact(camera, pixel);
     const auto [x, y, z] = exact.rounded_direction(format.precision);
-    const scene::Ray ray = rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
+    const Ray ray = rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
     if (!scene::defects(ray).empty()) continue;
     scene.rays.push_back(ray);
     given.pixels.push_back(pixel);

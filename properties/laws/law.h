@@ -66,7 +66,7 @@ bool scene_suits(Needs needs, const Trial& trial);
 /// A case with a camera's rays as given rays, and the pixel of each.
 struct GivenRays {
   Case the_case;
-  std::vector<scene::Pixel> pixels;
+  std::vector<Pixel> pixels;
   std::int64_t width = 0;  ///< The width of the image.
 
   /// The place with its ray replaced by the ray's pixel.
@@ -77,7 +77,7 @@ struct GivenRays {
 /// correctly rounded to what a candidate accepts and then taken as exact. For candidates that
 /// intersect rays but make none. Rays that round to non-finite ones are left out; empty if no ray
 /// is left. Domain: a valid scene with a camera; otherwise throws std::invalid_argument.
-std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
+std::optional<GivenRays> given_rays(const Case& the_case, const Conventions& conventions,
                                     InputFormat format = {});
 
 /// The unit that a law judges: a scene, a ray, a ray with a sphere, or an image.

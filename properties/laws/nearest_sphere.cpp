@@ -10,17 +10,13 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::Enclosure;
-using reference::ExactRay;
-using reference::NearestSphere;
-
 constexpr int kDistanceBits = 256;
 
 /// The pixels of the case, and others spread over the image.
-std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
+std::vector<Pixel> with_spread_pixels(const Trial& trial) {
   constexpr std::int64_t kMost = 4;
-  std::vector<scene::Pixel> pixels = trial.pixels();
-  const scene::Camera& camera = *trial.scene().camera;
+  std::vector<Pixel> pixels = trial.pixels();
+  const Camera& camera = *trial.scene().camera;
   const std::int64_t columns = std::min(camera.width, kMost);
   const std::int64_t rows = std::min(camera.height, kMost);
   for (std::int64_t j = 0; j < rows; ++j) {
@@ -33,8 +29,7 @@ std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
 }
 
 void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
-  const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
-                                            trial.scene().spheres.rend());
+  const std::vector<Sphere> reversed(trial.scene().spheres.rbegin(), trial.scene().spheres.rend());
   const auto backwards = trial.rank(trial.rays(), reversed);
   const SpheresMet met = spheres_met(trial);
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
@@ -65,7 +60,7 @@ Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Orig
 void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got) {
   const ExactRay& ray = trial.exact_ray(k);
   const NearestSphere& exact = *trial.exact_nearest()[k];
-  const scene::Sphere& sphere = trial.scene().spheres[exact.index];
+  const Sphere& sphere = trial.scene().spheres[exact.index];
   const Enclosure s = ray.parameter(sphere, exact.intersection);
   const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
   const Enclosure error = abs(Enclosure(got, kDistanceBits) - s) - least;
@@ -73,7 +68,7 @@ void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got
   scene::Measured relative;
   if (error.certain_sign().value_or(1) > 0) {
     relative = distance.contains_zero() ? scene::Measured{std::numeric_limits<double>::infinity()}
-                                        : reference::in_units_of_u(error / distance);
+                                        : in_units_of_u(error / distance);
   }
   trial.measure(
       verdict,
@@ -127,7 +122,7 @@ Excuse excuse_of(Trial& trial, const Choice& choice) {
 
 void judge_image(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
   const std::int64_t width = camera.width;
   if (image.size() != static_cast<std::size_t>(width * camera.height)) {
@@ -137,7 +132,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
   std::size_t unidentified = 0;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (met.is_unjudged[k]) continue;
-    const scene::Pixel& pixel = trial.pixels()[k];
+    const Pixel& pixel = trial.pixels()[k];
     const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
                         trial.exact_nearest()[k], "in the picture"};
     unidentified += choice.got == kSomeSphere && choice.exact ? 1 : 0;

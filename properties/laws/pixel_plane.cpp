@@ -13,12 +13,6 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::Enclosure;
-using reference::Enclosure3;
-using reference::ExactRay;
-using scene::Pixel;
-using scene::Point3;
-
 constexpr scene::Measured kInfiniteError = {std::numeric_limits<double>::infinity()};
 constexpr int kBits = 256;
 
@@ -30,12 +24,11 @@ std::string name(const Pixel& pixel) {
 /// one with the same axes.
 class PlaneAnswers {
  public:
-  PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
+  PlaneAnswers(Trial& trial, const Camera& camera, std::vector<Pixel> pixels)
       : trial_(trial),
         frame_(trial.exact_frame()),
-        camera_(&camera == &*trial.scene().camera
-                    ? trial.exact_camera()
-                    : reference::ExactCamera(camera, trial.conventions())),
+        camera_(&camera == &*trial.scene().camera ? trial.exact_camera()
+                                                  : ExactCamera(camera, trial.conventions())),
         pixels_(std::move(pixels)),
         points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
     if (points_.size() != pixels_.size())
@@ -45,14 +38,13 @@ class PlaneAnswers {
   std::size_t size() const { return pixels_.size(); }
   const Pixel& pixel(std::size_t k) const { return pixels_[k]; }
   const Point3& point(std::size_t k) const { return points_[k]; }
-  const reference::ExactCamera& camera() const { return camera_; }
+  const ExactCamera& camera() const { return camera_; }
   ExactRay ray(std::size_t k) const { return {camera_, pixels_[k]}; }
   Enclosure size_of_point(std::size_t k) const { return norm(ray(k).pixel_point()); }
 
   /// (P - E).U, (P - E).V, (P - E).W of the candidate's point.
   Enclosure3 position(std::size_t k) const {
-    const Enclosure3 from_eye =
-        reference::enclose_exactly(points_[k]) - reference::enclose_exactly(camera_.camera().eye);
+    const Enclosure3 from_eye = enclose_exactly(points_[k]) - enclose_exactly(camera_.camera().eye);
     return {dot(from_eye, frame_.U), dot(from_eye, frame_.V), dot(from_eye, frame_.W)};
   }
   /// alpha, beta, n of the exact point.
@@ -75,7 +67,7 @@ class PlaneAnswers {
  private:
   const Trial& trial_;
   const reference::EnclosedFrame& frame_;
-  reference::ExactCamera camera_;
+  ExactCamera camera_;
   std::vector<Pixel> pixels_;
   std::vector<Point3> points_;
 };
@@ -83,7 +75,7 @@ class PlaneAnswers {
 /// |error| / size; an exact 0 is right for any size.
 scene::Measured relative(const Enclosure& error, const Enclosure& size) {
   if (error.certain_sign() == 0) return {0};
-  return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
+  return size.contains_zero() ? kInfiniteError : in_units_of_u(error / size);
 }
 
 /// Whether positions at these distances differ by much more than the largest allowed errors, so
@@ -116,7 +108,7 @@ void PlaneAnswers::measure(Verdict& verdict, std::size_t k, const scene::Measure
       });
 }
 
-std::vector<Pixel> corners(const scene::Camera& camera) {
+std::vector<Pixel> corners(const Camera& camera) {
   std::vector<Pixel> result;
   for (const std::int64_t j : {std::int64_t{0}, camera.height - 1}) {
     for (const std::int64_t i : {std::int64_t{0}, camera.width - 1}) {
@@ -161,7 +153,7 @@ SignedAxis signed_axis(const Enclosure3& v) {
 /// without rounding.
 void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& answers,
                          std::size_t k) {
-  const scene::Camera& camera = answers.camera().camera();
+  const Camera& camera = answers.camera().camera();
   if (camera.eye != Point3{} || trial.conventions().samples != scene::Samples::kEdges) return;
   const auto frame = answers.camera().frame();
   const bool bottom_first = trial.conventions().rows == scene::Rows::kBottomFirst;
@@ -194,7 +186,7 @@ void judge_bounds(Trial& trial, Verdict& verdict) {
 }
 
 void judge_image_plane(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   for (const Pixel& pixel : trial.pixels()) {
     std::vector<Pixel> here_and_next = {pixel};
     if (pixel.i + 1 < camera.width) here_and_next.push_back({pixel.i + 1, pixel.j});
@@ -214,7 +206,7 @@ void judge_image_plane(Trial& trial, Verdict& verdict) {
 }
 
 void judge_centre_pixel(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   const auto last = [&](std::int64_t count) {
     return static_cast<std::int64_t>(
         scene::pixel_steps(trial.conventions().samples, count).turned());
@@ -235,7 +227,7 @@ void judge_centre_pixel(Trial& trial, Verdict& verdict) {
 }
 
 void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   if (camera.width < 2 || camera.height < 2) {
     return verdict.leave_out("an image of one row or column has no distinct corners");
   }
@@ -260,14 +252,14 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   if (trial.conventions().samples != scene::Samples::kEdges) {
     return verdict.leave_out("samples at pixel centres or corners lie elsewhere in a denser image");
   }
   if (std::max(camera.width, camera.height) > scene::kMostPixelsAcross / 2) {
     return verdict.leave_out("an image of twice the density would be too large");
   }
-  scene::Camera denser = camera;
+  Camera denser = camera;
   denser.width = 2 * camera.width - 1;
   denser.height = 2 * camera.height - 1;
   std::vector<Pixel> pixels = corners(camera);
@@ -277,9 +269,8 @@ void judge_density(Trial& trial, Verdict& verdict) {
   const PlaneAnswers sparse(trial, camera, pixels);
   const PlaneAnswers dense(trial, denser, same_places);
   for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const Enclosure3 moved =
-        reference::enclose_exactly(dense.point(k)) - reference::enclose_exactly(sparse.point(k));
-    const bool is_same = dense.point(k) - sparse.point(k) == scene::Vector3{};
+    const Enclosure3 moved = enclose_exactly(dense.point(k)) - enclose_exactly(sparse.point(k));
+    const bool is_same = dense.point(k) - sparse.point(k) == Vector3{};
     const scene::Measured error =
         is_same ? scene::Measured{} : relative(norm(moved), sparse.size_of_point(k));
     sparse.measure(verdict, k, error, 2 * trial.bound(Quantity::kPixelPoint),
@@ -288,14 +279,13 @@ void judge_density(Trial& trial, Verdict& verdict) {
 }
 
 void judge_square_pixels(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   if (camera.width < 2 || camera.height < 2) {
     return verdict.leave_out("an image of one row or column has only one spacing");
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {1, 0}, {0, 1}});
   const auto step = [&](std::size_t k) {
-    return norm(reference::enclose_exactly(answers.point(k)) -
-                reference::enclose_exactly(answers.point(0)));
+    return norm(enclose_exactly(answers.point(k)) - enclose_exactly(answers.point(0)));
   };
   const Enclosure3 origin = answers.exact_position(0);
   const Enclosure across = abs(answers.exact_position(1).x - origin.x);
@@ -306,9 +296,8 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   // The error is got ratio / exact ratio - 1. Pixels are square if the exact ratio is 1.
   const Enclosure got_down = step(2);
   const scene::Measured error =
-      got_down.contains_zero()
-          ? kInfiniteError
-          : reference::in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
+      got_down.contains_zero() ? kInfiniteError
+                               : in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
   Place place;
   place.pixel = Pixel{0, 0};
   trial.measure(

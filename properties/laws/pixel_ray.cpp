@@ -5,7 +5,7 @@
 
 namespace raycheck::properties {
 
-double plain_condition(const Candidate& candidate, const reference::ExactRay& ray) {
+double plain_condition(const Candidate& candidate, const ExactRay& ray) {
   if (candidate.level != Level::kOrdinary) return 0;
   const double condition = reference::stage_conditions(ray).direction;
   return condition <= kOrdinaryDistance ? condition : 0;
@@ -13,7 +13,7 @@ double plain_condition(const Candidate& candidate, const reference::ExactRay& ra
 
 namespace {
 
-scene::UnitVector3 direction_of(const scene::Ray& ray) {
+scene::UnitVector3 direction_of(const Ray& ray) {
   return {ray.direction.x, ray.direction.y, ray.direction.z};
 }
 
@@ -30,7 +30,7 @@ void judge_unit_direction(Trial& trial, Verdict& verdict) {
 
 void judge_direction(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    const reference::ExactRay& ray = trial.exact_ray(k);
+    const ExactRay& ray = trial.exact_ray(k);
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
     trial.measure(
         verdict, {Quantity::kDirection, trial.place(k), reference::direction_error(ray, got)},
@@ -43,8 +43,8 @@ void judge_direction(Trial& trial, Verdict& verdict) {
 void judge_ray_origin(Trial& trial, Verdict& verdict) {
   const bool at_eye = trial.conventions().origin == scene::Origin::kFocal;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    const reference::ExactRay& ray = trial.exact_ray(k);
-    const scene::Point3& got = trial.rays()[k].origin;
+    const ExactRay& ray = trial.exact_ray(k);
+    const Point3& got = trial.rays()[k].origin;
     trial.measure(
         verdict, {Quantity::kRayOrigin, trial.place(k), reference::origin_error(ray, got)},
         [&] { return at_eye ? 1 : reference::condition_of_pixel_point(ray); },

@@ -12,13 +12,8 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::ExactCamera;
-using reference::ExactRay;
-using reference::HitClass;
-using reference::Intersection;
 using scene::Bounds;
 using scene::LeftOut;
-using scene::Pixel;
 using scene::PixelRectangle;
 using scene::SpherePlan;
 using scene::Wanted;
@@ -55,8 +50,8 @@ void add_if_inside(const PixelRectangle& where, const Pixel& pixel, std::vector<
 double middle(const Bounds& x) { return x.low + (x.high - x.low) / 2; }
 
 /// Adds the pixel, in or next to the image, at which a direction through the eye points.
-void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
-                    const scene::Vector3& along, std::vector<Pixel>& pixels) {
+void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image, const Vector3& along,
+                    std::vector<Pixel>& pixels) {
   if (!(along.z > 0)) return;
   const double scale = std::abs(middle(eye.near())) / along.z;
   const double i = middle(eye.column(Bounds::exactly(along.x * scale)));
@@ -178,7 +173,7 @@ class PlanStatements {
 
  private:
   const std::vector<Pixel>& pixels_;
-  const scene::Camera& camera_;
+  const Camera& camera_;
   const std::vector<scene::ScenePlan>& plans_;
 };
 
@@ -213,7 +208,7 @@ std::string for_what(const PlanStatement& statement) {
 /// earlier in the file.
 bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std::size_t by) {
   const auto& spheres = trial.scene().spheres;
-  const scene::Conventions& conventions = trial.conventions();
+  const Conventions& conventions = trial.conventions();
   const Intersection at = ray.intersect(spheres[sphere], conventions.root);
   if (!reference::counts_as_hit(at.hit_class, conventions.tangent)) return true;
   const Intersection at_by = ray.intersect(spheres[by], conventions.root);
@@ -279,21 +274,21 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
 /// the whole line.
 class BothWays {
  public:
-  BothWays(const scene::Camera& camera, const scene::Conventions& conventions)
+  BothWays(const Camera& camera, const Conventions& conventions)
       : forwards_(camera, from_eye(conventions)),
         backwards_(opposite(camera), from_eye(conventions)) {}
 
-  bool meets(const scene::Sphere& sphere, const Pixel& pixel) const {
+  bool meets(const Sphere& sphere, const Pixel& pixel) const {
     return ExactRay(forwards_, pixel).intersect(sphere).hit_class != HitClass::kMiss ||
            ExactRay(backwards_, pixel).intersect(sphere).hit_class != HitClass::kMiss;
   }
 
  private:
-  static scene::Conventions from_eye(scene::Conventions conventions) {
+  static Conventions from_eye(Conventions conventions) {
     conventions.origin = scene::Origin::kFocal;
     return conventions;
   }
-  static scene::Camera opposite(scene::Camera camera) {
+  static Camera opposite(Camera camera) {
     for (double* position :
          {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
       *position = -*position;
@@ -319,7 +314,7 @@ void judge_roots(Trial& trial, Verdict& verdict) {
       const bool is_hit = at.hit_class != HitClass::kMiss;
       if (is_hit) {
         judge(verdict, {trial, k, pixel}, Quantity::kRoot,
-              at.root == reference::WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
+              at.root == WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
               [&] { return planned.origin_inside ? "behind the origin" : "from inside"; });
       }
       if (!planned.reaches_behind) {

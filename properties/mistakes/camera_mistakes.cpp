@@ -9,13 +9,7 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
-using scene::Point3;
-using scene::Ray;
-using scene::Sphere;
 using scene::UnitVector3;
-using scene::Vector3;
 
 /// The axis may have any length.
 UnitVector3 axis(const Vector3& v) { return {v.x, v.y, v.z}; }

@@ -198,14 +198,14 @@ std::optional<Explanation> right_under(const Law& law, const std::vector<Case>& 
   return {};
 }
 
-bool is_too_large(const scene::Scene& scene) {
+bool is_too_large(const Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
 /// Whether squares of distances overflow: a separate defect, which other causes need not explain.
-bool overflows(const scene::Scene& scene, scene::Precision precision) {
+bool overflows(const Scene& scene, Precision precision) {
   return std::any_of(scene.spheres.begin(), scene.spheres.end(), [&](const auto& sphere) {
-    const scene::Vector3 T = sphere.centre - scene.camera->eye;
+    const Vector3 T = sphere.centre - scene.camera->eye;
     return !std::isfinite(scene::rounded_to(precision, T.x * T.x + T.y * T.y + T.z * T.z));
   });
 }

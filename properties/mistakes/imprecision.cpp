@@ -11,15 +11,14 @@ namespace raycheck::properties {
 namespace {
 
 using scene::Root;
-using scene::Vector3;
 
 /// The exponent of the largest power of ten that is at most `radii`.
 int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(radii))); }
 
 }  // namespace
 
-PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
-                         const scene::Conventions& conventions) {
+PossibleHit possible_hit(Arithmetic arithmetic, const Ray& ray, const Sphere& sphere,
+                         const Conventions& conventions) {
   const bool is_expanded =
       arithmetic == Arithmetic::kExpanded || arithmetic == Arithmetic::kSingleExpanded;
   const bool is_single = arithmetic == Arithmetic::kSingle ||
@@ -69,13 +68,12 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   return hit;
 }
 
-PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
-                             std::span<const scene::Sphere> spheres,
-                             const scene::Conventions& conventions,
+PossibleSight possible_sight(Arithmetic arithmetic, const Ray& ray, std::span<const Sphere> spheres,
+                             const Conventions& conventions,
                              const std::optional<std::size_t>& shown) {
   std::vector<PossibleHit> hits;
   double latest = std::numeric_limits<double>::infinity();
-  for (const scene::Sphere& sphere : spheres) {
+  for (const Sphere& sphere : spheres) {
     hits.push_back(possible_hit(arithmetic, ray, sphere, conventions));
     if (hits.back().is_certain) latest = std::min(latest, hits.back().most);
   }

@@ -9,10 +9,7 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
 using scene::Origin;
-using scene::Pixel;
 
 Mistake pixel_mistake(std::string sentence, ChangePixel change) {
   return {.sentence = std::move(sentence), .step = Step::kPixelPoint, .pixel = std::move(change)};
@@ -232,7 +229,7 @@ std::vector<Mistake> view_mistakes() {
       camera_mistake(
           "the eye is ignored except in W: P = nW + alpha U + beta V, D = P/|P|",
           [](Camera& its, auto&) {
-            const scene::Vector3 view = its.look_at - its.eye;
+            const Vector3 view = its.look_at - its.eye;
             its.look_at = {view.x, view.y, view.z};
             its.eye = {};
           },

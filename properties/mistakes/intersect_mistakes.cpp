@@ -11,9 +11,6 @@ namespace raycheck::properties {
 namespace {
 
 using fast::Roots;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
 
 Mistake of_hits(std::string sentence, HitFormulas formulas) {
   return {.sentence = std::move(sentence),

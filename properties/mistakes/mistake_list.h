@@ -19,7 +19,7 @@ Candidate right_candidate();
 std::vector<Candidate> other_right_candidates(const Candidate& candidate);
 
 template <class Triple>
-scene::Vector3 vector(const Triple& v) {
+Vector3 vector(const Triple& v) {
   return {v.x, v.y, v.z};
 }
 template <class Triple>
@@ -27,10 +27,10 @@ double norm(const Triple& v) {
   return std::hypot(v.x, v.y, v.z);
 }
 template <class A, class B>
-scene::Vector3 cross(const A& a, const B& b) {
+Vector3 cross(const A& a, const B& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-scene::Vector3 normalised(const scene::Vector3& v);
+Vector3 normalised(const Vector3& v);
 
 /// For Mistake::is_offered.
 inline bool returns_points(const Candidate& candidate) {

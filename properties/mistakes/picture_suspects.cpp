@@ -61,7 +61,7 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
   for (const Evidence& one : pictures) {
     scene::poll();
     const FaultyView view(fault, one.picture().scene);
-    for (const std::vector<scene::Pixel>& part : one.sample()) {
+    for (const std::vector<Pixel>& part : one.sample()) {
       missed += one.left_of(part, view);
       sampled += part.size();
       if (missed > kMostLeftOfSample + sampled / share) return {};
@@ -80,7 +80,7 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
 bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
   std::uint64_t different = 0;
   for (const Evidence& one : pictures) {
-    const scene::Scene& scene = one.picture().scene;
+    const Scene& scene = one.picture().scene;
     different += count_otherwise(predicted(a, scene), predicted(b, scene));
     if (different > 1) return false;
   }
@@ -108,9 +108,9 @@ void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
 }
 
 /// The camera of a scene, with one sphere beyond the image plane.
-scene::Scene plain(scene::Scene scene) {
-  const scene::Camera& camera = *scene.camera;
-  const scene::Vector3 ahead = normalised(camera.look_at - camera.eye);
+Scene plain(Scene scene) {
+  const Camera& camera = *scene.camera;
+  const Vector3 ahead = normalised(camera.look_at - camera.eye);
   const double way = 4 * std::abs(camera.near);
   scene.spheres = {
       {{camera.eye.x + way * ahead.x, camera.eye.y + way * ahead.y, camera.eye.z + way * ahead.z},
@@ -130,7 +130,7 @@ void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
     std::erase_if(suspects, [&](const Suspect&) { return all[k++] > least; });
   };
   keep([](const Fault& fault) { return fault.front()->hits.rank ? 1U : 0U; });
-  const scene::Scene scene = plain(pictures.front().picture().scene);
+  const Scene scene = plain(pictures.front().picture().scene);
   keep([&](const Fault& fault) {
     return count_otherwise(predicted(fault, scene), predicted({}, scene));
   });
@@ -273,7 +273,7 @@ std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   for (const Mistake* mistake : shown_in_pictures()) {
     if (!mistake->conventions) continue;
     const bool makes_all = std::all_of(pictures.begin(), pictures.end(), [&](const Evidence& one) {
-      const scene::Scene other = mistaken(*mistake, one.picture().scene);
+      const Scene other = mistaken(*mistake, one.picture().scene);
       return scene::defects(other).empty() &&
              count_otherwise(one.picture().image, exact_image(other, other.conventions)) == 0;
     });

@@ -16,10 +16,6 @@ namespace raycheck::properties {
 namespace {
 
 using fast::Roots;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
-using scene::Vector3;
 
 /// The sizes of a group, beginning with the one that drops the fewest answers.
 constexpr std::array<const char*, 11> kSizes = {"1e-10", "1e-9",  "1e-8", "1e-7", "1e-6", "1e-5",
@@ -175,7 +171,7 @@ Mistake short_vectors(const char* least, bool are_zero) {
                   (are_zero ? "taken for 0" : "not normalised") + ": the epsilon is too large",
       .step = Step::kFrame,
       .rays = {.frame =
-                   [=](const scene::Camera& camera) {
+                   [=](const Camera& camera) {
                      const Vector3 W = unit(camera.eye - camera.look_at);
                      const Vector3 U = unit(cross(camera.up, W)), V = cross(W, U);
                      return FrameAnswer{{U.x, U.y, U.z}, {V.x, V.y, V.z}, {W.x, W.y, W.z}};
@@ -205,7 +201,7 @@ std::vector<Mistake> threshold_mistakes() {
                      .group = group});
       if (!of_steps) continue;
       all.back().is_offered = never_of_functions;
-      all.back().rays.direction = [](auto&, auto&, const scene::Vector3& g) { return g; };
+      all.back().rays.direction = [](auto&, auto&, const Vector3& g) { return g; };
     }
   }
   return all;

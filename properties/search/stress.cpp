@@ -73,8 +73,7 @@ std::optional<Case> case_of_stage(const Case& the_case, Stage stage, const Candi
   result.scene.conventions = the_case.scene.conventions;
   const auto& make = rays.rays_from(the_case.scene.conventions.origin);
   if (!make) return std::nullopt;
-  for (const scene::Ray& ray :
-       make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
+  for (const Ray& ray : make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
     if (scene::defects(ray).empty()) result.scene.rays.push_back(ray);
   }
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
