@@ -51,11 +51,6 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// The distance of a hit from the eye.
-Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Origin origin) {
-  return origin == scene::Origin::kFocal ? s : s + ray.enclose(kDistanceBits).length();
-}
-
 /// Judges s of a ray if its sphere is the exact one.
 void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got) {
   const ExactRay& ray = trial.exact_ray(k);
@@ -64,7 +59,8 @@ void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got
   const Enclosure s = ray.parameter(sphere, exact.intersection);
   const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
   const Enclosure error = abs(Enclosure(got, kDistanceBits) - s) - least;
-  const Enclosure distance = distance_from_eye(ray, s, trial.conventions().origin);
+  const bool is_from_eye = trial.conventions().origin == scene::Origin::kFocal;
+  const Enclosure distance = is_from_eye ? s : s + ray.enclose(kDistanceBits).length();
   scene::Measured relative;
   if (error.certain_sign().value_or(1) > 0) {
     relative = distance.contains_zero() ? scene::Measured{std::numeric_limits<double>::infinity()}

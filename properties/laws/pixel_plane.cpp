@@ -59,10 +59,21 @@ class PlaneAnswers {
     }
     return worst;
   }
-  /// `what` returns the text of a discrepancy.
+  /// Measures an error at a pixel, with the condition number of all the pixel points. `what`
+  /// returns the text of a discrepancy.
   template <class What>
   void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,
-               const What& what) const;
+               const What& what) const {
+    Place place;
+    place.pixel = pixels_[k];
+    trial_.measure(
+        verdict, {Quantity::kPixelPoint, place, error, bound}, [this] { return worst_condition(); },
+        [&](Discrepancy& d) {
+          d.what = what();
+          d.got = numbers(points_[k]);
+          d.exact = numbers(ray(k).rounded_pixel_point(trial_.precision()));
+        });
+  }
 
  private:
   const Trial& trial_;
@@ -91,21 +102,6 @@ bool are_separated(const Trial& trial, const PlaneAnswers& answers, const Enclos
     return (abs(distance) - off).certain_sign().value_or(0) > 0;
   };
   return is_apart(across) && is_apart(down);
-}
-
-/// Measures an error at a pixel, with the condition number of all the pixel points.
-template <class What>
-void PlaneAnswers::measure(Verdict& verdict, std::size_t k, const scene::Measured& error,
-                           double bound, const What& what) const {
-  Place place;
-  place.pixel = pixels_[k];
-  trial_.measure(
-      verdict, {Quantity::kPixelPoint, place, error, bound}, [this] { return worst_condition(); },
-      [&](Discrepancy& d) {
-        d.what = what();
-        d.got = numbers(points_[k]);
-        d.exact = numbers(ray(k).rounded_pixel_point(trial_.precision()));
-      });
 }
 
 std::vector<Pixel> corners(const Camera& camera) {

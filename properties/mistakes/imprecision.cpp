@@ -8,14 +8,6 @@
 #include "properties/mistakes/mistake_list.h"
 
 namespace raycheck::properties {
-namespace {
-
-using scene::Root;
-
-/// The exponent of the largest power of ten that is at most `radii`.
-int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(radii))); }
-
-}  // namespace
 
 PossibleHit possible_hit(Arithmetic arithmetic, const Ray& ray, const Sphere& sphere,
                          const Conventions& conventions) {
@@ -54,7 +46,7 @@ PossibleHit possible_hit(Arithmetic arithmetic, const Ray& ray, const Sphere& sp
   hit.radii = t / r;
   const bool near_counts = valid.culling != scene::Culling::kFrontFaces;
   const bool far_counts =
-      conventions.root == Root::kNearest && valid.culling != scene::Culling::kBackFaces;
+      conventions.root == scene::Root::kNearest && valid.culling != scene::Culling::kBackFaces;
   const bool may_be_near = near_counts && may(near_least, near_most);
   const bool may_be_far = far_counts && may(far_least, far_most);
   const bool is_near = near_counts && must(near_least, near_most);
@@ -97,13 +89,15 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
     return "|C - L|^2 loses its digits far from the world's origin, because larger squares are "
            "subtracted; (C - L) . (C - L) keeps them";
   }
+  // The largest power of ten that is at most `radii`.
+  const auto power_of_ten = [&] { return static_cast<int>(std::floor(std::log10(radii))); };
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
          "d^2 loses its digits" + (radii < 10 ? " (near tangents)" : "") +
          ", because it is the difference of much larger numbers; r^2 - |T x D|^2 keeps them" +
          (radii < 10 ? ""
-                     : " (the wrong cases examined are at 10^" +
-                           std::to_string(power_of_ten(radii)) + " radii or more)");
+                     : " (the wrong cases examined are at 10^" + std::to_string(power_of_ten()) +
+                           " radii or more)");
 }
 
 void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,
