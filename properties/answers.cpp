@@ -1,6 +1,5 @@
 #include "properties/answers.h"
 
-#include <stdexcept>
 #include <string>
 
 #include "scene/validate.h"
@@ -9,17 +8,15 @@ namespace raycheck::properties {
 namespace {
 
 template <class Given>
-const Given& require_count(const Given& answers, std::size_t expected, const char* what) {
-  if (answers.size() != expected) {
-    throw CandidateFailed("the candidate returned " + std::to_string(answers.size()) + " " + what +
-                          " where " + std::to_string(expected) + " were asked for");
-  }
-  return answers;
+void require_count(const Given& answers, std::size_t expected, const char* what) {
+  if (answers.size() == expected) return;
+  throw CandidateFailed("the candidate returned " + std::to_string(answers.size()) + " " + what +
+                        " where " + std::to_string(expected) + " were asked for");
 }
 
 /// The valid rays, and their indices among all rays.
 struct ValidRays {
-  explicit ValidRays(const std::vector<scene::Ray>& all) {
+  explicit ValidRays(const std::vector<Ray>& all) {
     indices.reserve(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (scene::defects(all[k]).empty()) indices.push_back(k);
@@ -33,7 +30,7 @@ struct ValidRays {
   ValidRays& operator=(const ValidRays&) = delete;
 
   std::vector<std::size_t> indices;
-  std::vector<scene::Ray> copies;  ///< Empty if all rays are valid.
+  std::vector<Ray> copies;  ///< Empty if all rays are valid.
   Candidate::Rays rays;
 };
 
@@ -76,7 +73,7 @@ const FrameAnswer& Answers::frame() {
   return once(frame_, [&] { return candidate_.frame(case_.scene.camera.value()); });
 }
 
-const std::vector<scene::Point3>& Answers::pixel_points() {
+const std::vector<Point3>& Answers::pixel_points() {
   return once(pixel_points_, [&] {
     auto points = candidate_.pixel_points(case_.scene.camera.value(), conventions_, case_.pixels);
     require_count(points, ray_count(), "pixel points");
@@ -89,7 +86,7 @@ bool Answers::has_rays() const {
   return static_cast<bool>(candidate_.rays_from(conventions_.origin));
 }
 
-const std::vector<scene::Ray>& Answers::rays() {
+const std::vector<Ray>& Answers::rays() {
   if (!case_.scene.camera) return case_.scene.rays;
   return once(rays_, [&] {
     auto made =
@@ -100,12 +97,12 @@ const std::vector<scene::Ray>& Answers::rays() {
 }
 
 const SphereHits& Answers::hits(std::size_t sphere) {
-  const std::vector<scene::Ray>& asked = rays();
+  const std::vector<Ray>& asked = rays();
   return once(hits_, [&] { return intersect(asked, case_.scene.spheres, conventions_); })[sphere];
 }
 
 const std::vector<std::optional<std::size_t>>& Answers::nearest() {
-  const std::vector<scene::Ray>& asked = rays();
+  const std::vector<Ray>& asked = rays();
   return once(nearest_, [&] { return rank(asked, case_.scene.spheres); });
 }
 
@@ -124,9 +121,9 @@ const std::vector<scene::ScenePlan>& Answers::plans() {
   });
 }
 
-std::vector<SphereHits> Answers::intersect(const std::vector<scene::Ray>& rays,
-                                           const std::vector<scene::Sphere>& spheres,
-                                           const scene::Conventions& conventions) const {
+std::vector<SphereHits> Answers::intersect(const std::vector<Ray>& rays,
+                                           const std::vector<Sphere>& spheres,
+                                           const Conventions& conventions) const {
   const ValidRays valid(rays);
   std::vector<SphereHits> answers = candidate_.intersect(valid.rays, spheres, conventions);
   require_count(answers, spheres.size(), "lists of hits");
@@ -137,8 +134,8 @@ std::vector<SphereHits> Answers::intersect(const std::vector<scene::Ray>& rays,
   return answers;
 }
 
-std::vector<std::optional<std::size_t>> Answers::rank(
-    const std::vector<scene::Ray>& rays, const std::vector<scene::Sphere>& spheres) const {
+std::vector<std::optional<std::size_t>> Answers::rank(const std::vector<Ray>& rays,
+                                                      const std::vector<Sphere>& spheres) const {
   const ValidRays valid(rays);
   const auto answers = candidate_.nearest(valid.rays, spheres, conventions_);
   require_count(answers, valid.rays.size(), "nearest spheres");
@@ -150,8 +147,8 @@ std::vector<std::optional<std::size_t>> Answers::rank(
   return result;
 }
 
-scene::Scene Answers::asked_scene() const {
-  scene::Scene scene = case_.scene;
+Scene Answers::asked_scene() const {
+  Scene scene = case_.scene;
   scene.conventions = conventions_;
   if (rays_.answers && rays_.answers->size() == 1) {
     scene.camera.reset();

@@ -22,17 +22,17 @@ class Answers {
   /// `share` is passed to Functions::allow: the part of the time limit for a reply.
   Answers(const Case& the_case, const Candidate& candidate, double share);
 
-  const scene::Scene& scene() const { return case_.scene; }
-  const std::vector<scene::Pixel>& pixels() const { return case_.pixels; }
+  const Scene& scene() const { return case_.scene; }
+  const std::vector<Pixel>& pixels() const { return case_.pixels; }
   std::size_t ray_count() const { return count_rays(case_); }
   const Candidate& candidate() const { return candidate_; }
   /// The scene's conventions, overridden by those that the candidate declares.
-  const scene::Conventions& conventions() const { return conventions_; }
+  const Conventions& conventions() const { return conventions_; }
 
   const FrameAnswer& frame();
-  const std::vector<scene::Point3>& pixel_points();
+  const std::vector<Point3>& pixel_points();
   /// The rays of the case: the candidate's own under the origin convention, or the given ones.
-  const std::vector<scene::Ray>& rays();
+  const std::vector<Ray>& rays();
   bool has_rays() const;
   /// Whether the candidate failed to make rays.
   bool lacks_rays() const { return rays_.failure != nullptr; }
@@ -42,14 +42,14 @@ class Answers {
   const std::vector<scene::ScenePlan>& plans();
   /// Asks the candidate about other rays or spheres. Rays that are not finite, or have the
   /// direction 0, count as misses, and the candidate does not get them.
-  std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
-                                    const std::vector<scene::Sphere>& spheres,
-                                    const scene::Conventions& conventions) const;
-  std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
-                                               const std::vector<scene::Sphere>& spheres) const;
+  std::vector<SphereHits> intersect(const std::vector<Ray>& rays,
+                                    const std::vector<Sphere>& spheres,
+                                    const Conventions& conventions) const;
+  std::vector<std::optional<std::size_t>> rank(const std::vector<Ray>& rays,
+                                               const std::vector<Sphere>& spheres) const;
   /// If the case has a single ray and it was intersected: that ray, as the candidate got it, with
   /// the spheres. Otherwise the scene.
-  scene::Scene asked_scene() const;
+  Scene asked_scene() const;
 
  private:
   /// A candidate's answers, or its failure, so that it is not called twice.
@@ -63,11 +63,11 @@ class Answers {
 
   const Case& case_;
   const Candidate& candidate_;
-  scene::Conventions conventions_;
+  Conventions conventions_;
   double share_;
   Once<FrameAnswer> frame_;
-  Once<std::vector<scene::Point3>> pixel_points_;
-  Once<std::vector<scene::Ray>> rays_;
+  Once<std::vector<Point3>> pixel_points_;
+  Once<std::vector<Ray>> rays_;
   Once<std::vector<SphereHits>> hits_;
   Once<std::vector<std::optional<std::size_t>>> nearest_;
   Once<std::vector<scene::ScenePlan>> plans_;

@@ -16,30 +16,19 @@ double length(const Triple& v) {
 
 }  // namespace
 
-Domain judged_in(scene::Precision precision, Domain domain) {
-  if (precision == scene::Precision::kDouble) return domain;
-  const auto cut = [](double& smallest, double& largest) {
-    smallest = std::max(smallest, kSmallestSingleLength);
-    largest = std::min(largest, kLargestSingleLength);
-  };
-  cut(domain.smallest_length, domain.largest_length);
-  cut(domain.smallest_camera_length, domain.largest_camera_length);
-  return domain;
-}
-
-bool lengths_are_within(const scene::Scene& scene, double smallest, double largest) {
+bool lengths_are_within(const Scene& scene, double smallest, double largest) {
   const auto within = [&](double size) {
     return size == 0 || (std::abs(size) >= smallest && std::abs(size) <= largest);
   };
   bool inside = true;
   const auto require = [&](double size) { inside = inside && within(size); };
-  const auto require_distance_of_points = [&](const scene::Point3& from) {
-    for (const scene::Sphere& sphere : scene.spheres) {
+  const auto require_distance_of_points = [&](const Point3& from) {
+    for (const Sphere& sphere : scene.spheres) {
       if (sphere.radius == 0) require(length(sphere.centre - from));
     }
   };
   if (scene.camera) {
-    const scene::Camera& camera = *scene.camera;
+    const Camera& camera = *scene.camera;
     require(length(camera.eye - camera.look_at));
     require(length(camera.up));
     require(camera.near);
@@ -51,19 +40,19 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
       inside = inside && std::abs(size) <= largest;
     }
   }
-  for (const scene::Ray& ray : scene.rays) {
+  for (const Ray& ray : scene.rays) {
     require(length(ray.direction));
     inside = inside && length(ray.origin) <= largest;
     require_distance_of_points(ray.origin);
   }
-  for (const scene::Sphere& sphere : scene.spheres) {
+  for (const Sphere& sphere : scene.spheres) {
     require(sphere.radius);
     inside = inside && length(sphere.centre) <= largest;
   }
   return inside;
 }
 
-bool is_inside_domain(const Domain& domain, const scene::Scene& scene) {
+bool is_inside_domain(const Domain& domain, const Scene& scene) {
   return lengths_are_within(scene, domain.smallest_length, domain.largest_length) &&
          (!scene.camera ||
           lengths_are_within(scene, domain.smallest_camera_length, domain.largest_camera_length));
@@ -90,13 +79,13 @@ Candidate declaring(const contract::Declarations& declared, std::string name,
 
 bool is_problem(const Case& the_case, const DeclaredConventions& declared) {
   if (!declared.samples && !declared.valid) return true;
-  scene::Scene scene = the_case.scene;
+  Scene scene = the_case.scene;
   scene.conventions = declared.over(scene.conventions);
   return scene::defects(scene).empty();
 }
 
-Candidate judged_in(scene::Precision precision, Candidate candidate) {
-  if (precision == scene::Precision::kDouble) return candidate;
+Candidate judged_in(Precision precision, Candidate candidate) {
+  if (precision == Precision::kDouble) return candidate;
   const double roundoff = scene::unit_roundoff(precision);
   const double coarser =
       std::max(1.0, std::min(candidate.unit_roundoff, roundoff) / kDoubleRoundoff);
@@ -107,7 +96,12 @@ Candidate judged_in(scene::Precision precision, Candidate candidate) {
   }
   candidate.precision = precision;
   candidate.unit_roundoff = std::max(candidate.unit_roundoff, roundoff);
-  static_cast<Domain&>(candidate) = judged_in(precision, static_cast<const Domain&>(candidate));
+  for (double* smallest : {&candidate.smallest_length, &candidate.smallest_camera_length}) {
+    *smallest = std::max(*smallest, kSmallestSingleLength);
+  }
+  for (double* largest : {&candidate.largest_length, &candidate.largest_camera_length}) {
+    *largest = std::min(*largest, kLargestSingleLength);
+  }
   return candidate;
 }
 

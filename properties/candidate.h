@@ -8,7 +8,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "contract/declarations.h"
@@ -39,15 +38,12 @@ inline constexpr double kSmallestJudgedLength = 0x1p-960;
 inline constexpr double kSmallestSingleLength = 0x1p-30;
 inline constexpr double kLargestSingleLength = 0x1p30;
 
-/// A domain cut to the lengths that are judged in a format.
-Domain judged_in(scene::Precision precision, Domain domain);
-
 /// True if every nonzero length of the scene lies in [smallest, largest]. The distance of a sphere
 /// of radius 0 counts as a length.
-bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
+bool lengths_are_within(const Scene& scene, double smallest, double largest);
 
 /// True if the scene lies in the domain.
-bool is_inside_domain(const Domain& domain, const scene::Scene& scene);
+bool is_inside_domain(const Domain& domain, const Scene& scene);
 
 /// The camera axes that a candidate returns.
 struct FrameAnswer {
@@ -57,7 +53,7 @@ struct FrameAnswer {
 /// Where a candidate finds that a ray meets a sphere.
 struct HitAnswer {
   double parameter = 0;                   ///< s, in multiples of the ray's direction.
-  scene::Point3 point;                    ///< Q
+  Point3 point;                           ///< Q
   std::optional<double> other_root = {};  ///< If the candidate returns both roots.
 };
 
@@ -87,8 +83,8 @@ inline constexpr double kExcusedImageChange = 1e-6;
 /// kExcusedImageChange for renderers that are judged in single precision: roundings of floats, at
 /// condition numbers of some thousands.
 inline constexpr double kExcusedSingleImageChange = 1e-4;
-constexpr double excused_image_change(scene::Precision precision) {
-  return precision == scene::Precision::kSingle ? kExcusedSingleImageChange : kExcusedImageChange;
+constexpr double excused_image_change(Precision precision) {
+  return precision == Precision::kSingle ? kExcusedSingleImageChange : kExcusedImageChange;
 }
 
 using contract::DeclaredConventions;
@@ -105,40 +101,35 @@ bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 /// CandidateFunction replaces both by a NoAnswer. Answers are in the order of the questions; an
 /// absent hit is a miss.
 struct Functions {
-  using Pixels = std::span<const scene::Pixel>;
-  using Rays = std::span<const scene::Ray>;
-  using Spheres = std::span<const scene::Sphere>;
+  using Pixels = std::span<const Pixel>;
+  using Rays = std::span<const Ray>;
+  using Spheres = std::span<const Sphere>;
 
-  CandidateFunction<FrameAnswer(const scene::Camera&)> frame;
-  CandidateFunction<std::vector<scene::Point3>(const scene::Camera&, const scene::Conventions&,
-                                               Pixels)>
-      pixel_points;
-  using MakeRays = CandidateFunction<std::vector<scene::Ray>(const scene::Camera&,
-                                                             const scene::Conventions&, Pixels)>;
+  CandidateFunction<FrameAnswer(const Camera&)> frame;
+  CandidateFunction<std::vector<Point3>(const Camera&, const Conventions&, Pixels)> pixel_points;
+  using MakeRays = CandidateFunction<std::vector<Ray>(const Camera&, const Conventions&, Pixels)>;
   MakeRays pixel_rays;  ///< From P along the unit direction D.
   MakeRays focal_rays;  ///< From E along D.
   const MakeRays& rays_from(scene::Origin origin) const {
     return origin == scene::Origin::kPixel ? pixel_rays : focal_rays;
   }
   /// Every ray with every sphere: one list of hits per sphere.
-  CandidateFunction<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
+  CandidateFunction<std::vector<SphereHits>(Rays, Spheres, const Conventions&)> intersect;
   /// A superset of the hit classes that `intersect` returns for the inputs in these boxes. Code
   /// that replaces `intersect` must empty or replace this function, too.
-  CandidateFunction<scene::PossibleClasses(const scene::Box<scene::Ray>&,
-                                           const scene::Box<scene::Sphere>&, scene::HitRule)>
+  CandidateFunction<scene::PossibleClasses(const scene::Box<Ray>&, const scene::Box<Sphere>&,
+                                           scene::HitRule)>
       classes_in;
-  CandidateFunction<std::vector<std::optional<std::size_t>>(Rays, Spheres,
-                                                            const scene::Conventions&)>
+  CandidateFunction<std::vector<std::optional<std::size_t>>(Rays, Spheres, const Conventions&)>
       nearest;
   /// Its plan for a scene with a camera.
-  CandidateFunction<scene::ScenePlan(const scene::Scene&, const scene::Conventions&, scene::Wanted)>
-      plan;
+  CandidateFunction<scene::ScenePlan(const Scene&, const Conventions&, scene::Wanted)> plan;
   /// The sphere seen through each pixel of a scene with a camera; empty if there is no sphere.
-  CandidateFunction<std::vector<std::optional<SeenAnswer>>(const scene::Scene&,
-                                                           const scene::Conventions&, Pixels)>
+  CandidateFunction<std::vector<std::optional<SeenAnswer>>(const Scene&, const Conventions&,
+                                                           Pixels)>
       visible;
   /// The whole image of a scene with a camera.
-  CandidateFunction<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
+  CandidateFunction<ImageAnswer(const Scene&, const Conventions&)> image;
   /// Announces that the next questions are a part of a batch that failed, and get this share, in
   /// (0, 1], of the time limit for a reply. Empty if the candidate has no time limit.
   std::function<void(double share)> allow;
@@ -160,7 +151,7 @@ struct Functions {
 struct Promises {
   /// The format in which it is judged: cases are rounded to it (rounded_case), and errors and
   /// bounds are in its ulp and u.
-  scene::Precision precision = scene::Precision::kDouble;
+  Precision precision = Precision::kDouble;
   /// How it is called, and what it returns; adapted() converts between that and what laws need.
   contract::Interface interface = {};
   contract::Tolerances tolerances = {};  ///< Within these either answer is right.
@@ -192,7 +183,7 @@ struct Promises {
 };
 
 /// Whether exact hit classes are promised for every ray of the scene, even outside the domain.
-inline bool promises_exact_class(const Promises& promises, const scene::Scene& scene) {
+inline bool promises_exact_class(const Promises& promises, const Scene& scene) {
   return promises.exact_class && !scene.camera;
 }
 
@@ -233,6 +224,6 @@ inline Candidate in_random_cases(Candidate candidate) {
 /// Converts a candidate with bounds in u of doubles to another format. Bounds are converted to u of
 /// that format: those of a method that computes in floats are divided by 2^29. In single precision,
 /// lengths are limited to [kSmallestSingleLength, kLargestSingleLength].
-Candidate judged_in(scene::Precision precision, Candidate candidate);
+Candidate judged_in(Precision precision, Candidate candidate);
 
 }  // namespace raycheck::properties

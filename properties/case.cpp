@@ -15,8 +15,8 @@ std::size_t count_rays(const Case& the_case) {
   return the_case.scene.camera ? the_case.pixels.size() : the_case.scene.rays.size();
 }
 
-std::vector<scene::Pixel> all_pixels(const scene::Camera& camera) {
-  std::vector<scene::Pixel> pixels;
+std::vector<Pixel> all_pixels(const Camera& camera) {
+  std::vector<Pixel> pixels;
   pixels.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   for (std::int64_t j = 0; j < camera.height; ++j) {
     for (std::int64_t i = 0; i < camera.width; ++i) pixels.push_back({i, j});
@@ -24,20 +24,18 @@ std::vector<scene::Pixel> all_pixels(const scene::Camera& camera) {
   return pixels;
 }
 
-using scene::Precision;
-
 namespace {
 
 /// Rounding the coordinates of a unit vector changes its length by at most u, and the square of its
 /// length by about 2 u.
-bool is_unit(const scene::Vector3& v, Precision precision) {
+bool is_unit(const Vector3& v, Precision precision) {
   const auto square = [](double x) { return static_cast<long double>(x) * x; };
   const long double off = square(v.x) + square(v.y) + square(v.z) - 1;
   return std::abs(off) <= 4 * scene::unit_roundoff(precision);
 }
 
 /// Without overflow. Computes in long double; the caller rounds the coordinates to the format.
-void make_unit(scene::Vector3& v) {
+void make_unit(Vector3& v) {
   const long double x = v.x, y = v.y, z = v.z;
   const long double length = std::hypot(x, y, z);
   v = {static_cast<double>(x / length), static_cast<double>(y / length),
@@ -59,7 +57,7 @@ void make_segment(double& origin, double& step, Precision precision) {
   origin = to_unit(origin);
   step = to_unit(end) - origin;
 }
-void make_segment(scene::Ray& ray, Precision precision) {
+void make_segment(Ray& ray, Precision precision) {
   auto& [origin, step] = ray;
   make_segment(origin.x, step.x, precision);
   make_segment(origin.y, step.y, precision);
@@ -76,11 +74,11 @@ double exact_pixel(double width, std::int64_t pixels, Precision precision) {
 
 /// Moves and scales the scene so that its first sphere is one that the format accepts, and removes
 /// the others. Returns whether it changed anything.
-bool fit_spheres(scene::Scene& scene, InputFormat format) {
+bool fit_spheres(Scene& scene, InputFormat format) {
   if (format.placement == contract::Placement::kAnywhere || scene.spheres.empty()) return false;
   const auto [centre, radius] = scene.spheres.front();
   const bool unit = format.placement == contract::Placement::kUnit;
-  const scene::Sphere placed = {{}, unit ? 1 : radius};
+  const Sphere placed = {{}, unit ? 1 : radius};
   if (scene.spheres == std::vector{placed}) return false;
   const double length = unit ? radius : 1;
   const auto along = [&](auto& triple, const auto& from) {
@@ -88,12 +86,12 @@ bool fit_spheres(scene::Scene& scene, InputFormat format) {
               (triple.z - from.z) / length};
   };
   scene.spheres = {placed};
-  for (scene::Ray& ray : scene.rays) {
+  for (Ray& ray : scene.rays) {
     along(ray.origin, centre);
-    along(ray.direction, scene::Vector3{});
+    along(ray.direction, Vector3{});
   }
   if (scene.camera) {
-    scene::Camera& camera = *scene.camera;
+    Camera& camera = *scene.camera;
     along(camera.eye, centre);
     along(camera.look_at, centre);
     for (double* one : {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
@@ -122,10 +120,10 @@ std::string accepted(contract::Windows windows) {
 constexpr double kWidest = 8;
 
 /// Replaces a window that the format does not accept, and returns whether it did.
-bool fit_window(scene::Camera& camera, InputFormat format) {
+bool fit_window(Camera& camera, InputFormat format) {
   using contract::Windows;
   if (format.windows == Windows::kAny) return false;
-  const scene::Camera given = camera;
+  const Camera given = camera;
   double right = std::max(std::abs(camera.left), std::abs(camera.right));
   double top = std::max(std::abs(camera.bottom), std::abs(camera.top));
   const auto width = static_cast<double>(camera.width), height = static_cast<double>(camera.height);
@@ -144,10 +142,10 @@ bool fit_window(scene::Camera& camera, InputFormat format) {
 }
 
 /// Moves E and A as the ends of a segment, if the format needs that, and returns whether it did.
-bool fit_view(scene::Camera& camera, InputFormat format) {
+bool fit_view(Camera& camera, InputFormat format) {
   if (!format.view_directions) return false;
   const auto& [from, to] = std::pair(camera.eye, camera.look_at);
-  scene::Ray segment = {from, {to.x - from.x, to.y - from.y, to.z - from.z}};
+  Ray segment = {from, {to.x - from.x, to.y - from.y, to.z - from.z}};
   make_segment(segment, format.precision);
   const auto& [eye, view] = segment;
   camera.eye = eye;
@@ -157,7 +155,7 @@ bool fit_view(scene::Camera& camera, InputFormat format) {
 
 }  // namespace
 
-scene::Ray with_unit_direction(scene::Ray ray, Precision precision) {
+Ray with_unit_direction(Ray ray, Precision precision) {
   auto& [x, y, z] = ray.direction;
   if (is_unit(ray.direction, precision)) return ray;
   make_unit(ray.direction);
@@ -172,14 +170,14 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
   scene::Samples& samples = the_case.scene.conventions.samples;
   if (!format.corners && samples == scene::Samples::kCorners) samples = scene::Samples::kCentres;
   if (format.unit_directions) {
-    for (scene::Ray& ray : the_case.scene.rays) {
+    for (Ray& ray : the_case.scene.rays) {
       if (is_unit(ray.direction, precision)) continue;
       make_unit(ray.direction);
       ++result.made_unit;
     }
   }
   if (format.segments) {
-    for (scene::Ray& ray : the_case.scene.rays) {
+    for (Ray& ray : the_case.scene.rays) {
       ray = rounded_ray(ray, format);
       if (!scene::defects(ray).empty()) {
         result.reason = "a segment's end rounds to its origin, or out of range";
@@ -227,7 +225,7 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
   return result;
 }
 
-scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
+Ray rounded_ray(Ray ray, InputFormat format) {
   const Precision precision = format.precision;
   if (format.unit_directions && !is_unit(ray.direction, precision)) make_unit(ray.direction);
   for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
@@ -238,7 +236,7 @@ scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
   return ray;
 }
 
-RoundedCase rounded_scene(scene::Scene scene, InputFormat format) {
+RoundedCase rounded_scene(Scene scene, InputFormat format) {
   RoundedCase rounded = rounded_case({std::move(scene), {}}, format);
   if (rounded.replaced.empty()) return rounded;
   rounded.the_case.reset();
@@ -246,21 +244,15 @@ RoundedCase rounded_scene(scene::Scene scene, InputFormat format) {
   return rounded;
 }
 
-bool is_of_format(const scene::Scene& scene, InputFormat format) {
+bool is_of_format(const Scene& scene, InputFormat format) {
   const Precision precision = format.precision;
-  bool all = !format.unit_directions ||
-             std::all_of(scene.rays.begin(), scene.rays.end(),
-                         [&](const scene::Ray& ray) { return is_unit(ray.direction, precision); });
-  if (format.segments) {
-    all = all && std::ranges::all_of(scene.rays, [&](const scene::Ray& ray) {
-            return rounded_ray(ray, format) == ray;
-          });
-  }
-  if (scene.camera) {
-    scene::Camera camera = *scene.camera;
-    all = all && !fit_window(camera, format) && !fit_view(camera, format);
-  }
-  scene::Scene copy = scene;
+  Scene copy = scene;
+  bool all = std::ranges::all_of(scene.rays, [&](const Ray& ray) {
+    return (!format.unit_directions || is_unit(ray.direction, precision)) &&
+           (!format.segments || rounded_ray(ray, format) == ray);
+  });
+  all =
+      all && !(copy.camera && (fit_window(*copy.camera, format) || fit_view(*copy.camera, format)));
   all = all && !fit_spheres(copy, format);
   if (precision == Precision::kDouble || !all) return all;
   const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };

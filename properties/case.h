@@ -5,7 +5,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,18 +14,29 @@
 
 namespace raycheck::properties {
 
+// The nouns of the theory, as in scene/.
+using scene::Camera;
+using scene::Conventions;
+using scene::Pixel;
+using scene::Point3;
+using scene::Precision;
+using scene::Ray;
+using scene::Scene;
+using scene::Sphere;
+using scene::Vector3;
+
 /// The input of a law: a scene and, if it has a camera, the pixels to judge. Given rays are all
 /// judged.
 struct Case {
-  scene::Scene scene;
-  std::vector<scene::Pixel> pixels;
+  Scene scene;
+  std::vector<Pixel> pixels;
 };
 
 /// The number of rays of a case that are judged.
 std::size_t count_rays(const Case& the_case);
 
 /// All pixels of a camera, row by row.
-std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
+std::vector<Pixel> all_pixels(const Camera& camera);
 
 using contract::kLevelNames;
 using contract::Level;
@@ -38,7 +48,7 @@ using contract::name;
 /// it is given view directions, only cameras for which A - E is of the format. Without corners,
 /// pixels are sampled at centres instead.
 struct InputFormat {
-  constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
+  constexpr InputFormat(Precision its_precision = Precision::kDouble,
                         const contract::Interface& interface = {}, bool has_corners = true)
       : precision(its_precision),
         corners(has_corners),
@@ -49,7 +59,7 @@ struct InputFormat {
         view_directions(interface.view == contract::View::kDirection) {
     if (segments) unit_directions = false;  // the direction follows from the ends
   }
-  scene::Precision precision;
+  Precision precision;
   bool corners, unit_directions, segments;
   contract::Placement placement;
   contract::Windows windows;
@@ -104,15 +114,15 @@ struct RoundedCase {
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
 /// The same for a scene that a user gives: it is left out if something would be replaced.
-RoundedCase rounded_scene(scene::Scene scene, InputFormat format);
+RoundedCase rounded_scene(Scene scene, InputFormat format);
 
 /// The ray with a direction of length 1, up to rounding.
-scene::Ray with_unit_direction(scene::Ray ray, scene::Precision precision);
+Ray with_unit_direction(Ray ray, Precision precision);
 
 /// The ray, rounded to the format.
-scene::Ray rounded_ray(scene::Ray ray, InputFormat format);
+Ray rounded_ray(Ray ray, InputFormat format);
 
 /// Whether rounded_case() leaves the scene as it is.
-bool is_of_format(const scene::Scene& scene, InputFormat format);
+bool is_of_format(const Scene& scene, InputFormat format);
 
 }  // namespace raycheck::properties

@@ -33,7 +33,7 @@ struct FailureSite {
   Blame blame = Blame::kNone;
   std::uint64_t count = 0;  ///< The number of questions to blame, from the discrepancy's place on.
   /// The single question as a scene; empty unless there is exactly one.
-  std::optional<scene::Scene> scene;
+  std::optional<Scene> scene;
   std::optional<CodeLine> line = {};  ///< In the candidate's source, if known.
   bool timed_out = false;             ///< It gave no reply in time.
   void serialize(auto& archive) { archive(blame, count, scene, line, timed_out); }
@@ -51,7 +51,7 @@ struct Discrepancy {
   std::vector<double> exact;     ///< Correctly rounded to `precision`; empty as for got.
   bool got_some_sphere = false;  ///< A picture shows an unknown sphere; or a hit without a point.
   double error = 0;              ///< In the quantity's unit; infinite for decisions.
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format of that unit.
+  Precision precision = Precision::kDouble;  ///< The format of that unit.
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, if asked for.
   Excuse excuse;

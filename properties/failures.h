@@ -27,15 +27,6 @@ struct CandidateRefused : NoAnswer {
 struct CannotBeSaid : NoAnswer {
   using NoAnswer::NoAnswer;
 };
-/// The candidate fails.
-struct CandidateFailed : NoAnswer {
-  using NoAnswer::NoAnswer;
-};
-/// The candidate would fail on every question.
-struct CandidateUnavailable : CandidateFailed {
-  using CandidateFailed::CandidateFailed;
-};
-
 /// A line of a candidate's source.
 struct CodeLine {
   std::string file;       ///< Relative to the working folder if the file is below it.
@@ -44,17 +35,17 @@ struct CodeLine {
   void serialize(auto& archive) { archive(file, line, text); }
 };
 
-/// The candidate failed at a known line.
-struct FailedAtLine : CandidateFailed {
-  FailedAtLine(const std::string& what, CodeLine at) : CandidateFailed(what), line(std::move(at)) {}
-  CodeLine line;
+/// The candidate fails.
+struct CandidateFailed : NoAnswer {
+  explicit CandidateFailed(const std::string& what, std::optional<CodeLine> at = {},
+                           bool gave_no_reply = false)
+      : NoAnswer(what), line(std::move(at)), timed_out(gave_no_reply) {}
+  std::optional<CodeLine> line;  ///< Where it failed, if known.
+  bool timed_out;                ///< It gave no reply in time.
 };
-
-/// The candidate gave no reply in time.
-struct NoReply : CandidateFailed {
-  NoReply(const std::string& what, std::optional<CodeLine> at)
-      : CandidateFailed(what), line(std::move(at)) {}
-  std::optional<CodeLine> line;
+/// The candidate would fail on every question.
+struct CandidateUnavailable : CandidateFailed {
+  using CandidateFailed::CandidateFailed;
 };
 
 /// The candidate's `image` returned a picture whose size is not the scene's.

@@ -49,17 +49,17 @@ double view_along(double eye, double look_at) {
 }
 
 /// E + (P - E), of a candidate whose directions are P - E.
-auto points_of(const Functions& functions, scene::Precision precision) {
+auto points_of(const Functions& functions, Precision precision) {
   const auto& make = functions.focal_rays ? functions.focal_rays : functions.pixel_rays;
   decltype(functions.pixel_points) points;
   if (!make) return points;
-  points = [make, precision](const scene::Camera& camera, const scene::Conventions& conventions,
+  points = [make, precision](const Camera& camera, const Conventions& conventions,
                              Functions::Pixels pixels) {
     const auto end = [=](double eye, double step) {
       return scene::rounded_to(precision, eye + step);
     };
-    std::vector<scene::Point3> all;
-    for (const scene::Ray& ray : make(camera, conventions, pixels)) {
+    std::vector<Point3> all;
+    for (const Ray& ray : make(camera, conventions, pixels)) {
       const auto& [x, y, z] = ray.direction;
       all.push_back({end(camera.eye.x, x), end(camera.eye.y, y), end(camera.eye.z, z)});
     }
@@ -69,9 +69,8 @@ auto points_of(const Functions& functions, scene::Precision precision) {
 }
 
 /// Of both roots of a line, the one that counts, with the other beside it; empty if none counts.
-std::optional<HitAnswer> chosen(const HitAnswer& roots, const scene::Ray& ray,
-                                const scene::Sphere& sphere,
-                                const scene::Conventions& conventions) {
+std::optional<HitAnswer> chosen(const HitAnswer& roots, const Ray& ray, const Sphere& sphere,
+                                const Conventions& conventions) {
   const auto& [valid, root] = std::pair(conventions.valid, conventions.root);
   const double entry = roots.parameter, exit = roots.point.x;
   const auto counts = [&, exact = reference::ExactRay(ray)](double s) {
@@ -88,8 +87,7 @@ std::optional<HitAnswer> chosen(const HitAnswer& roots, const scene::Ray& ray,
 template <class Make, class Answer>
 void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) {
   if (!make) return;
-  make = [make, interface, answer](const scene::Camera& camera,
-                                   const scene::Conventions& conventions,
+  make = [make, interface, answer](const Camera& camera, const Conventions& conventions,
                                    Functions::Pixels pixels) {
     auto all = make(passed(camera, interface), conventions, all_passed(pixels, interface));
     std::ranges::for_each(all, answer);
@@ -99,16 +97,16 @@ void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) 
 
 }  // namespace
 
-scene::Ray passed(const scene::Ray& ray, const Interface& interface) {
+Ray passed(const Ray& ray, const Interface& interface) {
   if (interface.rays == contract::RayForm::kDirection) return ray;
   const auto& [origin, step] = ray;
   return {origin, {end_of(origin.x, step.x), end_of(origin.y, step.y), end_of(origin.z, step.z)}};
 }
 
-scene::Sphere passed(const scene::Sphere& sphere, const Interface& interface) {
+Sphere passed(const Sphere& sphere, const Interface& interface) {
   const bool is_placed =
       interface.placement == contract::Placement::kAnywhere ||
-      (sphere.centre == scene::Point3{} &&
+      (sphere.centre == Point3{} &&
        (interface.placement == contract::Placement::kOrigin || sphere.radius == 1));
   if (!is_placed)
     throw CannotBeSaid("the law moves the sphere to where the candidate does not accept it");
@@ -116,29 +114,28 @@ scene::Sphere passed(const scene::Sphere& sphere, const Interface& interface) {
   return {sphere.centre, by_diameter ? 2 * sphere.radius : sphere.radius};
 }
 
-scene::Pixel passed(const scene::Pixel& pixel, const Interface& interface) {
+Pixel passed(const Pixel& pixel, const Interface& interface) {
   const bool row_first = interface.pixels == contract::PixelOrder::kRowColumn;
-  return row_first ? scene::Pixel{pixel.j, pixel.i} : pixel;
+  return row_first ? Pixel{pixel.j, pixel.i} : pixel;
 }
 
-scene::Camera passed(const scene::Camera& camera, const Interface& interface) {
+Camera passed(const Camera& camera, const Interface& interface) {
   if (interface.view == contract::View::kLookAt) return camera;
-  scene::Camera one = camera;
+  Camera one = camera;
   const auto& [x, y, z] = camera.eye;
   one.look_at = {view_along(x, one.look_at.x), view_along(y, one.look_at.y),
                  view_along(z, one.look_at.z)};
   return one;
 }
 
-scene::Ray made(const scene::Ray& ray, const Interface& interface, scene::Precision precision) {
+Ray made(const Ray& ray, const Interface& interface, Precision precision) {
   return interface.made == contract::MadeLength::kUnit ? ray : with_unit_direction(ray, precision);
 }
 
-HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
-                    const scene::Sphere& sphere) {
+HitAnswer completed(const HitAnswer& hit, Returns returns, const Ray& ray, const Sphere& sphere) {
   const Wide origin(ray.origin), direction(ray.direction);
   const long double a = direction.dot(direction);
-  const auto projection = [&](const scene::Point3& point) {
+  const auto projection = [&](const Point3& point) {
     return (Wide(point) - origin).dot(direction) / a;
   };
   long double s = hit.parameter;
@@ -167,18 +164,18 @@ HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray
           hit.other_root};
 }
 
-Functions adapted(Functions functions, const Interface& interface, scene::Precision precision) {
+Functions adapted(Functions functions, const Interface& interface, Precision precision) {
   Functions as_given = functions;
   if (functions.frame) {
-    functions.frame = [frame = as_given.frame, interface](const scene::Camera& camera) {
+    functions.frame = [frame = as_given.frame, interface](const Camera& camera) {
       return frame(passed(camera, interface));
     };
   }
   if (interface.made == contract::MadeLength::kImagePlane && !functions.pixel_points) {
     functions.pixel_points = points_of(functions, precision);
   }
-  const auto as_is = [](const scene::Point3& /*point*/) {};
-  const auto make_unit = [interface, precision](scene::Ray& ray) {
+  const auto as_is = [](const Point3& /*point*/) {};
+  const auto make_unit = [interface, precision](Ray& ray) {
     ray = made(ray, interface, precision);
   };
   adapt_pixels(functions.pixel_points, interface, as_is);
@@ -187,13 +184,13 @@ Functions adapted(Functions functions, const Interface& interface, scene::Precis
   if (functions.intersect) {
     functions.intersect = [intersect = as_given.intersect, interface](
                               Functions::Rays rays, Functions::Spheres spheres,
-                              const scene::Conventions& conventions) {
+                              const Conventions& conventions) {
       std::vector<SphereHits> all =
           intersect(all_passed(rays, interface), all_passed(spheres, interface), conventions);
       for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
         const auto is_no_hit = [&](RayHit& hit) {
           if (hit.ray >= rays.size()) return false;  // Answers reports it
-          const scene::Ray& ray = rays[hit.ray];
+          const Ray& ray = rays[hit.ray];
           if (interface.returns == Returns::kRoots) {
             const auto root = chosen(hit.hit, ray, spheres[sphere], conventions);
             if (!root) return true;
@@ -208,9 +205,9 @@ Functions adapted(Functions functions, const Interface& interface, scene::Precis
     };
   }
   if (functions.nearest) {
-    functions.nearest = [nearest = as_given.nearest, interface](
-                            Functions::Rays rays, Functions::Spheres spheres,
-                            const scene::Conventions& conventions) {
+    functions.nearest = [nearest = as_given.nearest, interface](Functions::Rays rays,
+                                                                Functions::Spheres spheres,
+                                                                const Conventions& conventions) {
       return nearest(all_passed(rays, interface), all_passed(spheres, interface), conventions);
     };
   }

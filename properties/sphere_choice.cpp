@@ -1,13 +1,59 @@
 #include "properties/sphere_choice.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "reference/account/nearby_choice.h"
 #include "reference/ray_error.h"
 #include "reference/visibility/visibility.h"
 
 namespace raycheck::properties {
+namespace {
+
+/// A declared tolerance that allows a choice, or 0: it is within one, or it is first among the
+/// spheres that are not.
+double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
+  if (trial.candidate().tolerances == contract::Tolerances{}) return 0;
+  const ExactRay& exact = trial.exact_ray(ray);
+  const auto& spheres = trial.scene().spheres;
+  double size = 0;
+  std::optional<NearestSphere> first;
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    if (const double one = trial.tolerance(exact, spheres[k]); one > 0) {
+      size = one;
+      if (got == k) return size;
+      continue;
+    }
+    const Intersection at = exact.intersect(spheres[k], trial.conventions());
+    if (counts_as_hit(at.hit_class, trial.conventions().tangent)) {
+      exact.keep_nearest(spheres, k, at, first);
+    }
+  }
+  return is_right({ray, got, first}) ? size : 0;
+}
+
+/// Whether the ray starts inside a sphere, where its hit is not a root that counts.
+bool starts_inside_some(Trial& trial, std::size_t ray) {
+  return trial.candidate().interface.from_inside != contract::FromInside::kRoot &&
+         std::ranges::any_of(trial.scene().spheres, [&](const Sphere& sphere) {
+           return starts_inside(trial.exact_ray(ray), sphere);
+         });
+}
+
+Standing standing_of(Trial& trial, std::size_t ray, Index got) {
+  const auto& spheres = trial.scene().spheres;
+  const Conventions& conventions = trial.conventions();
+  const bool may_be_unjudged =
+      std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& sphere) {
+        return is_unjudged(trial.exact_ray(ray).intersect(sphere, conventions),
+                           conventions.tangent);
+      });
+  if (!trial.inside_domain() || may_be_unjudged || starts_inside_some(trial, ray)) {
+    return Standing::kNotJudged;
+  }
+  return excuse(trial, ray, got, trial.excused_change()).standing();
+}
+
+}  // namespace
 
 bool is_right(const Choice& choice) {
   const auto& [ray, got, exact, what, is_first_of_ties] = choice;
@@ -23,32 +69,6 @@ Wrong wrong_of(const Choice& choice) {
          : !choice.got    ? Wrong::kMissed
                           : Wrong::kWrongSphere;
 }
-
-namespace {
-
-/// A declared tolerance that allows a choice, or 0: it is within one, or it is first among the
-/// spheres that are not.
-double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
-  if (trial.candidate().tolerances == contract::Tolerances{}) return 0;
-  const reference::ExactRay& exact = trial.exact_ray(ray);
-  const auto& spheres = trial.scene().spheres;
-  double size = 0;
-  std::optional<reference::NearestSphere> first;
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
-    if (const double one = trial.tolerance(exact, spheres[k]); one > 0) {
-      size = one;
-      if (got == k) return size;
-      continue;
-    }
-    const reference::Intersection at = exact.intersect(spheres[k], trial.conventions());
-    if (counts_as_hit(at.hit_class, trial.conventions().tangent)) {
-      exact.keep_nearest(spheres, k, at, first);
-    }
-  }
-  return is_right({ray, got, first}) ? size : 0;
-}
-
-}  // namespace
 
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
   using reference::FirstMet;
@@ -80,25 +100,13 @@ void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected
       });
 }
 
-namespace {
-
-/// Whether the ray starts inside a sphere, where its hit is not a root that counts.
-bool starts_inside_some(Trial& trial, std::size_t ray) {
-  return trial.candidate().interface.from_inside != contract::FromInside::kRoot &&
-         std::ranges::any_of(trial.scene().spheres, [&](const scene::Sphere& sphere) {
-           return starts_inside(trial.exact_ray(ray), sphere);
-         });
-}
-
-}  // namespace
-
 SpheresMet spheres_met(Trial& trial) {
   SpheresMet met{std::vector<std::uint32_t>(trial.ray_count()),
                  std::vector<bool>(trial.ray_count())};
   const scene::Tangent tangent = trial.conventions().tangent;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
-      const reference::Intersection& at = meeting.intersection;
+      const Intersection& at = meeting.intersection;
       if (is_unjudged(at, tangent)) met.is_unjudged[meeting.ray] = true;
       if (counts_as_hit(at.hit_class, tangent)) ++met.count[meeting.ray];
     }
@@ -109,24 +117,6 @@ SpheresMet spheres_met(Trial& trial) {
   }
   return met;
 }
-
-namespace {
-
-Standing standing_of(Trial& trial, std::size_t ray, Index got) {
-  const auto& spheres = trial.scene().spheres;
-  const scene::Conventions& conventions = trial.conventions();
-  const bool may_be_unjudged =
-      std::any_of(spheres.begin(), spheres.end(), [&](const scene::Sphere& sphere) {
-        return is_unjudged(trial.exact_ray(ray).intersect(sphere, conventions),
-                           conventions.tangent);
-      });
-  if (!trial.inside_domain() || may_be_unjudged || starts_inside_some(trial, ray)) {
-    return Standing::kNotJudged;
-  }
-  return excuse(trial, ray, got, trial.excused_change()).standing();
-}
-
-}  // namespace
 
 std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const std::int32_t> seen) {
   const auto& spheres = trial.scene().spheres;
@@ -145,7 +135,7 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
       if (hit == nullptr)
         throw CandidateFailed("the candidate misses the sphere that it names as nearest");
-      const reference::ExactRay& exact = trial.exact_ray(ray);
+      const ExactRay& exact = trial.exact_ray(ray);
       errors[ray].ulp =
           reference::parameter_error(exact, spheres[*got],
                                      exact.intersect(spheres[*got], trial.conventions()),

@@ -20,7 +20,7 @@ using Index = std::optional<std::size_t>;
 struct Choice {
   std::size_t ray;
   Index got;
-  const std::optional<reference::NearestSphere>& exact;
+  const std::optional<NearestSphere>& exact;
   const char* what = "sphere index";  ///< In discrepancies.
   bool is_first_of_ties = false;      ///< Whether the candidate promises the first sphere of a tie.
 };

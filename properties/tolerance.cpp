@@ -1,7 +1,6 @@
 #include "properties/tolerance.h"
 
 #include <cmath>
-#include <optional>
 
 namespace raycheck::properties {
 namespace {

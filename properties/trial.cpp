@@ -46,33 +46,9 @@ std::shared_ptr<TrialPart> part_of(const Trial& whole, std::size_t from, std::si
                                      whole.candidate(), options);
 }
 
-}  // namespace
-
-std::uint64_t count_asked(const Trial& trial, bool by_sphere) {
-  const std::size_t spheres = trial.scene().spheres.size();
-  return trial.ray_count() * (by_sphere ? std::max<std::size_t>(1, spheres) : 1);
-}
-
-const std::vector<std::shared_ptr<TrialPart>>& FailedParts::halves(const Trial& whole) {
-  if (halves_.empty()) {
-    const std::size_t all = count_asked(whole, whole.ray_count() <= 1);
-    halves_ = {part_of(whole, 0, all / 2), part_of(whole, all / 2, all)};
-  }
-  return halves_;
-}
-
-Place TrialPart::place(Place of_part) const {
-  if (!of_part.pixel) of_part.ray += first_ray;
-  if (of_part.sphere) *of_part.sphere += first_sphere;
-  return of_part;
-}
-
-namespace {
-
 /// Whether the hit class of an answer, or its root if it has one, differs from the exact one.
-bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
-              const Promises& promises) {
-  const reference::Intersection at =
+bool is_wrong(const RayAnswer& answer, const Conventions& conventions, const Promises& promises) {
+  const Intersection at =
       exact_intersection(answer.ray, answer.sphere, conventions, promises.interface.from_inside);
   const bool is_hit = reference::counts_as_hit(at.hit_class, conventions.tangent);
   if (is_hit != answer.s.has_value()) return true;
@@ -114,34 +90,50 @@ reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbo
 
 }  // namespace
 
-bool is_at_start(const reference::ExactRay& ray, const scene::Sphere& sphere,
-                 const Promises& promises) {
+std::uint64_t count_asked(const Trial& trial, bool by_sphere) {
+  const std::size_t spheres = trial.scene().spheres.size();
+  return trial.ray_count() * (by_sphere ? std::max<std::size_t>(1, spheres) : 1);
+}
+
+const std::vector<std::shared_ptr<TrialPart>>& Trial::halves() {
+  if (halves_.empty()) {
+    const std::size_t all = count_asked(*this, ray_count() <= 1);
+    halves_ = {part_of(*this, 0, all / 2), part_of(*this, all / 2, all)};
+  }
+  return halves_;
+}
+
+Place TrialPart::place(Place of_part) const {
+  if (!of_part.pixel) of_part.ray += first_ray;
+  if (of_part.sphere) *of_part.sphere += first_sphere;
+  return of_part;
+}
+
+bool is_at_start(const ExactRay& ray, const Sphere& sphere, const Promises& promises) {
   return promises.interface.from_inside == contract::FromInside::kStart &&
          starts_inside(ray, sphere);
 }
 
-double rounded_s(const reference::ExactRay& ray, const scene::Sphere& sphere,
-                 const reference::Intersection& at, const Promises& promises) {
+double rounded_s(const ExactRay& ray, const Sphere& sphere, const Intersection& at,
+                 const Promises& promises) {
   return is_at_start(ray, sphere, promises) ? 0
                                             : ray.rounded_parameter(sphere, at, promises.precision);
 }
 
-bool is_at_other_root(const RayAnswer& hit, const reference::Intersection& at,
-                      const Promises& promises) {
+bool is_at_other_root(const RayAnswer& hit, const Intersection& at, const Promises& promises) {
   const auto& [ray, sphere, s] = hit;
   if (is_at_start(ray, sphere, promises)) {
     if (gives_parameter(promises.interface.returns)) return *s != 0;
     // The projection of a returned point has roundings.
-    constexpr reference::Intersection kFar = {reference::HitClass::kHit,
-                                              reference::WhichRoot::kLarger};
+    constexpr Intersection kFar = {HitClass::kHit, WhichRoot::kLarger};
     return *s > 0.5 * ray.rounded_parameter(sphere, kFar, promises.precision);
   }
   return reference::is_at_other_root(ray, sphere, at, *s) &&
          *s != ray.rounded_parameter(sphere, at, promises.precision);
 }
 
-bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
-                 const scene::Conventions& conventions, const Promises& promises) {
+bool is_excluded(const RayAnswer& answer, const Intersection& at, const Conventions& conventions,
+                 const Promises& promises) {
   const bool compares = promises.interface.returns == Returns::kHit ||
                         promises.interface.returns == Returns::kParameter;
   if (conventions.valid.is_usual() || !compares) return false;
@@ -181,7 +173,7 @@ Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions opti
 
 Place Trial::place(std::size_t ray, std::optional<std::size_t> sphere) const {
   if (!scene().camera) return {ray, std::nullopt, sphere};
-  const scene::Pixel& pixel = pixels()[ray];
+  const Pixel& pixel = pixels()[ray];
   const auto width = static_cast<std::size_t>(scene().camera->width);
   return {static_cast<std::size_t>(pixel.j) * width + static_cast<std::size_t>(pixel.i), pixel,
           sphere};
@@ -270,8 +262,7 @@ void Trial::examine(Verdict& verdict, const MeasuredError& own, const Particular
   verdict.add(std::move(discrepancy));
 }
 
-double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
-                    const scene::Sphere& sphere) {
+double plain_change(const Candidate& candidate, const ExactRay& ray, const Sphere& sphere) {
   if (candidate.level != Level::kOrdinary) return 0;
   const double distance = reference::distance_in_radii(ray, sphere);
   const bool is_near_tangent = candidate.unit_roundoff == kDoubleRoundoff &&
@@ -283,7 +274,7 @@ reference::Neighbourhood Trial::neighbourhood(double relative_change) const {
   return {conventions().root, conventions().tangent, relative_change, conventions().valid};
 }
 
-double Trial::change_about(const reference::ExactRay& ray, const scene::Sphere& sphere) const {
+double Trial::change_about(const ExactRay& ray, const Sphere& sphere) const {
   return excused_change() * plain_growth(plain_change(candidate(), ray, sphere));
 }
 

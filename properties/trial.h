@@ -43,22 +43,6 @@ struct FailureSearch {
 /// The number of rays of a trial; with `by_sphere`, the number of pairs of a ray and a sphere.
 std::uint64_t count_asked(const Trial& trial, bool by_sphere);
 
-/// The parts in which a failed trial is asked again.
-class FailedParts {
- public:
-  /// The two halves of its rays, or of one ray's spheres, as separate trials, which are made once
-  /// and kept.
-  /// Domain: more than one ray or sphere.
-  const std::vector<std::shared_ptr<TrialPart>>& halves(const Trial& whole);
-  bool is_halved() const { return !halves_.empty(); }
-  /// Whether no law has recorded a failure of the whole with this message yet; records it.
-  bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
-
- private:
-  std::vector<std::shared_ptr<TrialPart>> halves_;
-  std::set<std::string> failures_;
-};
-
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound that replaces the candidate's own.
   bool conditioning = false;             ///< Whether to weigh every error by its condition number.
@@ -73,12 +57,11 @@ struct TrialOptions {
 
 /// How a ray and a sphere meet according to an answer.
 struct RayAnswer {
-  const reference::ExactRay& ray;
-  const scene::Sphere& sphere;
+  const ExactRay& ray;
+  const Sphere& sphere;
   std::optional<double> s;  ///< Empty: a miss.
 };
-inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& sphere,
-                           const HitAnswer* hit) {
+inline RayAnswer answer_of(const ExactRay& ray, const Sphere& sphere, const HitAnswer* hit) {
   return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
 }
 
@@ -86,8 +69,7 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
 /// textbook's v^2 - |T|^2 + r^2: at most (2 |T||v| + |T|^2 + r^2)/(2 r^2). It is 0 if the candidate
 /// promises more than ordinary cases, if the sphere is beyond kOrdinaryDistance, and, in double
 /// precision, if the ray is nearer to a tangent than kOrdinaryTangency.
-double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
-                    const scene::Sphere& sphere);
+double plain_change(const Candidate& candidate, const ExactRay& ray, const Sphere& sphere);
 /// An upper bound of plain_change() for a centre at this distance, in radii.
 constexpr double plain_change_at(double radii) { return (3 * radii * radii + 1) / 2; }
 /// The factor by which the change that excuses a decision grows from kExcusedRoundoffs u: the
@@ -102,21 +84,19 @@ constexpr double plain_growth(double plain_change) {
 /// returned s itself, not a distance or a point. The exact root `at`, correctly rounded, is never
 /// excluded, even on an open end.
 /// Domain: `at` is the exact intersection of the answer's ray and sphere under the conventions.
-bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
-                 const scene::Conventions& conventions, const Promises& promises);
+bool is_excluded(const RayAnswer& answer, const Intersection& at, const Conventions& conventions,
+                 const Promises& promises);
 
 /// Whether the exact hit of a ray is its start, at s = 0 (FromInside::kStart).
-bool is_at_start(const reference::ExactRay& ray, const scene::Sphere& sphere,
-                 const Promises& promises);
+bool is_at_start(const ExactRay& ray, const Sphere& sphere, const Promises& promises);
 /// The exact s of a hit, correctly rounded to the candidate's format; 0 at the start of the ray.
-double rounded_s(const reference::ExactRay& ray, const scene::Sphere& sphere,
-                 const reference::Intersection& at, const Promises& promises);
+double rounded_s(const ExactRay& ray, const Sphere& sphere, const Intersection& at,
+                 const Promises& promises);
 /// Whether a hit is at the other root (reference::is_at_other_root) than the exact hit `at`, and is
 /// not the correctly rounded one: roots may be closer to each other than numbers of the format. If
 /// the exact hit is the start of the ray: whether s is not 0, or, if it was not returned but is the
 /// projection of Q, nearer to the far root.
-bool is_at_other_root(const RayAnswer& hit, const reference::Intersection& at,
-                      const Promises& promises);
+bool is_at_other_root(const RayAnswer& hit, const Intersection& at, const Promises& promises);
 
 /// An error that a law measures. Its bound is in units of the candidate's format.
 struct MeasuredError {
@@ -138,7 +118,7 @@ class Trial : public Answers {
 
   const TrialOptions& options() const { return options_; }
   /// The format in which answers are judged.
-  scene::Precision precision() const { return candidate().precision; }
+  Precision precision() const { return candidate().precision; }
   Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
   /// The change of inputs that excuses a decision: kExcusedRoundoffs times the candidate's unit
   /// roundoff.
@@ -150,16 +130,16 @@ class Trial : public Answers {
   bool is_judged(Quantity quantity) const { return inside_domain_ || promises_exactly(quantity); }
 
   // The truth.
-  const reference::ExactCamera& exact_camera() { return options_.truth->camera(); }
+  const ExactCamera& exact_camera() { return options_.truth->camera(); }
   const reference::EnclosedFrame& exact_frame() { return options_.truth->frame(); }
-  const reference::ExactRay& exact_ray(std::size_t ray) { return options_.truth->ray(ray); }
+  const ExactRay& exact_ray(std::size_t ray) { return options_.truth->ray(ray); }
   std::span<const Meeting> exact_meetings(std::size_t sphere) {
     return options_.truth->meetings(sphere);
   }
-  reference::Intersection exact_intersection(std::size_t ray, std::size_t sphere) {
+  Intersection exact_intersection(std::size_t ray, std::size_t sphere) {
     return options_.truth->intersection(ray, sphere);
   }
-  const std::vector<std::optional<reference::NearestSphere>>& exact_nearest() {
+  const std::vector<std::optional<NearestSphere>>& exact_nearest() {
     return options_.truth->nearest();
   }
   double condition_of_parameter(std::size_t ray, std::size_t sphere) {
@@ -208,15 +188,19 @@ class Trial : public Answers {
   /// The declared tolerance within which a ray and a sphere lie (properties/tolerance.h), and a hit
   /// at s or at a point, if given; 0 if there is none.
   template <class... At>
-  double tolerance(const reference::ExactRay& ray, const scene::Sphere& sphere,
-                   const At&... at) const {
+  double tolerance(const ExactRay& ray, const Sphere& sphere, const At&... at) const {
     return tolerance_of(candidate().tolerances, {ray, sphere, change_about(ray, sphere)}, at...);
   }
   /// Where to search for a witness: inputs for which an answer is right.
   reference::Neighbourhood neighbourhood(double relative_change) const;
 
-  /// The parts in which this trial is asked again if it fails as a batch.
-  FailedParts& failed_parts() { return failed_parts_; }
+  // If this trial fails as a batch:
+  /// The two halves of its rays, or of one ray's spheres, as separate trials, in which it is asked
+  /// again. They are made once and kept. Domain: more than one ray or sphere.
+  const std::vector<std::shared_ptr<TrialPart>>& halves();
+  bool is_halved() const { return !halves_.empty(); }
+  /// Whether no law has recorded a failure of the whole with this message yet; records it.
+  bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
 
  private:
   /// The functions that measure() calls for an error that is weighed or above its bound.
@@ -229,7 +213,7 @@ class Trial : public Answers {
 
   bool promises_exactly(Quantity quantity) const;
   /// excused_change(), enlarged by plain_growth().
-  double change_about(const reference::ExactRay& ray, const scene::Sphere& sphere) const;
+  double change_about(const ExactRay& ray, const Sphere& sphere) const;
   Stability weigh(double error, const Particulars& of) const;
   /// Whether the bound on a quantity is a documented one. Such a bound grows with the condition
   /// number, and errors within the grown bound are not discrepancies. Other bounds (the user's, the
@@ -247,7 +231,8 @@ class Trial : public Answers {
 
   TrialOptions options_;
   bool inside_domain_;
-  FailedParts failed_parts_;
+  std::vector<std::shared_ptr<TrialPart>> halves_;
+  std::set<std::string> failures_;
 };
 
 /// Some of a trial's rays, or some spheres of its one ray.
@@ -273,14 +258,13 @@ struct TrialPart {
 Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change);
 
 /// Whether the intersection is a tangent that the convention does not judge.
-constexpr bool is_unjudged(const reference::Intersection& intersection, scene::Tangent tangent) {
-  return tangent == scene::Tangent::kEither &&
-         intersection.hit_class == reference::HitClass::kTangent;
+constexpr bool is_unjudged(const Intersection& intersection, scene::Tangent tangent) {
+  return tangent == scene::Tangent::kEither && intersection.hit_class == HitClass::kTangent;
 }
 
 /// The root that is right for a hit.
-constexpr Expected root_expected(const reference::Intersection& at) {
-  return at.root == reference::WhichRoot::kSmaller ? Expected::kSmallerRoot : Expected::kLargerRoot;
+constexpr Expected root_expected(const Intersection& at) {
+  return at.root == WhichRoot::kSmaller ? Expected::kSmallerRoot : Expected::kLargerRoot;
 }
 
 }  // namespace raycheck::properties

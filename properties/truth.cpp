@@ -7,23 +7,21 @@
 
 namespace raycheck::properties {
 
-bool starts_inside(const reference::ExactRay& ray, const scene::Sphere& sphere) {
-  const reference::Intersection at = ray.intersect(sphere);
-  return at.hit_class != reference::HitClass::kMiss && at.root == reference::WhichRoot::kLarger;
+bool starts_inside(const ExactRay& ray, const Sphere& sphere) {
+  const Intersection at = ray.intersect(sphere);
+  return at.hit_class != HitClass::kMiss && at.root == WhichRoot::kLarger;
 }
 
-reference::Intersection exact_intersection(const reference::ExactRay& ray,
-                                           const scene::Sphere& sphere,
-                                           const scene::Conventions& conventions,
-                                           contract::FromInside from_inside) {
+Intersection exact_intersection(const ExactRay& ray, const Sphere& sphere,
+                                const Conventions& conventions, contract::FromInside from_inside) {
   if (from_inside != contract::FromInside::kRoot && starts_inside(ray, sphere)) {
-    return {reference::HitClass::kHit, reference::WhichRoot::kSmaller};
+    return {HitClass::kHit, WhichRoot::kSmaller};
   }
   return ray.intersect(sphere, conventions);
 }
 
-Truth::Truth(const Case& the_case, const scene::Conventions& conventions,
-             const scene::ScenePlan* plan, contract::FromInside from_inside)
+Truth::Truth(const Case& the_case, const Conventions& conventions, const scene::ScenePlan* plan,
+             contract::FromInside from_inside)
     : case_(the_case),
       conventions_(conventions),
       plan_(plan),
@@ -31,7 +29,7 @@ Truth::Truth(const Case& the_case, const scene::Conventions& conventions,
       rays_(count_rays(the_case)),
       meetings_(the_case.scene.spheres.size()) {}
 
-const reference::ExactCamera& Truth::camera() {
+const ExactCamera& Truth::camera() {
   if (!camera_) camera_.emplace(case_.scene.camera.value(), conventions_);
   return *camera_;
 }
@@ -42,7 +40,7 @@ const reference::EnclosedFrame& Truth::frame() {
   return *frame_;
 }
 
-const reference::ExactRay& Truth::ray(std::size_t ray) {
+const ExactRay& Truth::ray(std::size_t ray) {
   auto& kept = rays_[ray];
   if (!kept) {
     if (case_.scene.camera) {
@@ -60,27 +58,23 @@ std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
   if (!kept) {
     std::vector<Meeting> found;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
-      if (!may_meet(k, sphere)) continue;
+      if (plan_ && !plan_->spheres[sphere].pixels.contains(case_.pixels[k])) continue;
       const auto at =
           exact_intersection(ray(k), case_.scene.spheres[sphere], conventions_, from_inside_);
-      if (at.hit_class != reference::HitClass::kMiss) found.push_back({k, at});
+      if (at.hit_class != HitClass::kMiss) found.push_back({k, at});
     }
     kept = std::move(found);
   }
   return *kept;
 }
 
-bool Truth::may_meet(std::size_t ray, std::size_t sphere) const {
-  return plan_ == nullptr || plan_->spheres[sphere].pixels.contains(case_.pixels[ray]);
-}
-
 Meeting* Truth::find(std::size_t ray, std::size_t sphere) {
   return find_ray(known_meetings(sphere), ray);
 }
 
-reference::Intersection Truth::intersection(std::size_t ray, std::size_t sphere) {
+Intersection Truth::intersection(std::size_t ray, std::size_t sphere) {
   const Meeting* meeting = find(ray, sphere);
-  return meeting == nullptr ? reference::Intersection{} : meeting->intersection;
+  return meeting == nullptr ? Intersection{} : meeting->intersection;
 }
 
 double Truth::condition_of_parameter(std::size_t ray_index, std::size_t sphere) {
@@ -94,7 +88,7 @@ double Truth::condition_of_parameter(std::size_t ray_index, std::size_t sphere) 
   return *kept;
 }
 
-const std::vector<std::optional<reference::NearestSphere>>& Truth::nearest() {
+const std::vector<std::optional<NearestSphere>>& Truth::nearest() {
   if (!nearest_) {
     nearest_.emplace(rays_.size());
     const auto& spheres = case_.scene.spheres;
@@ -111,7 +105,7 @@ const std::vector<std::optional<reference::NearestSphere>>& Truth::nearest() {
   return *nearest_;
 }
 
-std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions,
+std::shared_ptr<Truth> SharedTruths::under(const Conventions& conventions,
                                            contract::FromInside from_inside) {
   for (const auto& truth : truths_) {
     if (truth->conventions() == conventions && truth->from_inside() == from_inside) return truth;

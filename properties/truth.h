@@ -16,6 +16,13 @@
 
 namespace raycheck::properties {
 
+using reference::ExactCamera;
+using reference::ExactRay;
+using reference::HitClass;
+using reference::Intersection;
+using reference::NearestSphere;
+using reference::WhichRoot;
+
 /// The element of a ray in a list sorted by ray; null if it is absent.
 template <class List>
 auto* find_ray(List& list, std::size_t ray) {
@@ -25,20 +32,18 @@ auto* find_ray(List& list, std::size_t ray) {
 }
 
 /// Whether a ray starts inside a sphere, or on it and leaves it.
-bool starts_inside(const reference::ExactRay& ray, const scene::Sphere& sphere);
+bool starts_inside(const ExactRay& ray, const Sphere& sphere);
 
 /// How a ray and a sphere meet under the conventions. A ray that starts inside has a hit at the
 /// near root, unless its hit is a root that counts; with FromInside::kStart, s is 0 in place of
 /// this root (trial.h: rounded_s).
-reference::Intersection exact_intersection(const reference::ExactRay& ray,
-                                           const scene::Sphere& sphere,
-                                           const scene::Conventions& conventions,
-                                           contract::FromInside from_inside);
+Intersection exact_intersection(const ExactRay& ray, const Sphere& sphere,
+                                const Conventions& conventions, contract::FromInside from_inside);
 
 /// A hit or tangent of a ray of a case with a sphere.
 struct Meeting {
   std::size_t ray = 0;
-  reference::Intersection intersection;
+  Intersection intersection;
   std::optional<double> condition_of_parameter = {};  ///< Computed on demand.
 };
 
@@ -49,43 +54,42 @@ struct Meeting {
 /// truth without a plan.
 class Truth {
  public:
-  Truth(const Case& the_case, const scene::Conventions& conventions,
+  Truth(const Case& the_case, const Conventions& conventions,
         const scene::ScenePlan* plan = nullptr,
         contract::FromInside from_inside = contract::FromInside::kRoot);
 
-  const scene::Conventions& conventions() const { return conventions_; }
+  const Conventions& conventions() const { return conventions_; }
   contract::FromInside from_inside() const { return from_inside_; }
-  const reference::ExactCamera& camera();
+  const ExactCamera& camera();
   /// Enclosures of the camera's axes, narrow enough for positions in its image plane.
   const reference::EnclosedFrame& frame();
-  const reference::ExactRay& ray(std::size_t ray);
+  const ExactRay& ray(std::size_t ray);
   /// The rays that meet a sphere, in their order; every other ray misses it.
   std::span<const Meeting> meetings(std::size_t sphere) { return known_meetings(sphere); }
-  reference::Intersection intersection(std::size_t ray, std::size_t sphere);
+  Intersection intersection(std::size_t ray, std::size_t sphere);
   /// kappa of the parameter of a hit or a tangent.
   double condition_of_parameter(std::size_t ray, std::size_t sphere);
   /// The sphere that each ray meets first.
-  const std::vector<std::optional<reference::NearestSphere>>& nearest();
+  const std::vector<std::optional<NearestSphere>>& nearest();
 
  private:
   std::vector<Meeting>& known_meetings(std::size_t sphere);
   Meeting* find(std::size_t ray, std::size_t sphere);
-  bool may_meet(std::size_t ray, std::size_t sphere) const;
 
   const Case& case_;
-  scene::Conventions conventions_;
+  Conventions conventions_;
   const scene::ScenePlan* plan_;
   contract::FromInside from_inside_;
-  std::optional<reference::ExactCamera> camera_;
+  std::optional<ExactCamera> camera_;
   std::optional<reference::EnclosedFrame> frame_;
-  std::vector<std::optional<reference::ExactRay>> rays_;
+  std::vector<std::optional<ExactRay>> rays_;
   std::vector<std::optional<std::vector<Meeting>>> meetings_;  ///< By sphere.
-  std::optional<std::vector<std::optional<reference::NearestSphere>>> nearest_;
+  std::optional<std::vector<std::optional<NearestSphere>>> nearest_;
 };
 
 /// These conventions with every root >= 0. Plans are made under them, so that they include all
 /// roots that may count.
-inline scene::Conventions planned(scene::Conventions conventions) {
+inline Conventions planned(Conventions conventions) {
   conventions.valid = {};
   return conventions;
 }
@@ -96,7 +100,7 @@ class SharedTruths {
  public:
   explicit SharedTruths(const Case& the_case, std::span<const scene::ScenePlan> plans = {})
       : case_(the_case), plans_(plans) {}
-  std::shared_ptr<Truth> under(const scene::Conventions& conventions,
+  std::shared_ptr<Truth> under(const Conventions& conventions,
                                contract::FromInside from_inside = contract::FromInside::kRoot);
 
  private:

@@ -16,7 +16,6 @@
 #include "properties/excuse.h"
 #include "properties/failures.h"
 #include "properties/quantity.h"
-#include "properties/stability.h"
 #include "properties/tally.h"
 
 namespace raycheck::properties {

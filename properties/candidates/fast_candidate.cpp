@@ -26,8 +26,7 @@ Room& room() {
 }
 
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
-  return [make](const scene::Camera& camera, const scene::Conventions& conventions,
-                Candidate::Pixels pixels) {
+  return [make](const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
     fast::Rays& batch = room().rays;
     make(camera, conventions, pixels, batch);
     return rays_of(batch);
@@ -38,7 +37,7 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
 /// more than one pixel, as in a renderer.
 constexpr std::int64_t kAround = 2;
 
-std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
+std::vector<std::optional<SeenAnswer>> seen_through(const Scene& scene,
                                                     const scene::ScenePlan& plan,
                                                     const fast::PixelRayMethod& rays,
                                                     const fast::IntersectMethod& intersect,
@@ -93,15 +92,15 @@ void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMetho
 
 }  // namespace
 
-fast::Rays batch_of(std::span<const scene::Ray> rays) {
+fast::Rays batch_of(std::span<const Ray> rays) {
   fast::Rays batch;
   batch.resize(rays.size());
   for (std::size_t k = 0; k < rays.size(); ++k) batch.set(k, rays[k]);
   return batch;
 }
 
-std::vector<scene::Ray> rays_of(const fast::Rays& batch) {
-  std::vector<scene::Ray> rays(batch.size());
+std::vector<Ray> rays_of(const fast::Rays& batch) {
+  std::vector<Ray> rays(batch.size());
   for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = batch.at(k);
   return rays;
 }
@@ -117,7 +116,7 @@ SphereHits list_of(const fast::Hits& hits) {
   };
   for (const std::uint8_t* at = next_from(begin); at != nullptr; at = next_from(at + 1)) {
     const auto k = static_cast<std::size_t>(at - begin);
-    list.push_back({k, {hits.parameter[k], hits.point.at<scene::Point3>(k)}});
+    list.push_back({k, {hits.parameter[k], hits.point.at<Point3>(k)}});
   }
   return list;
 }
@@ -126,18 +125,18 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
                          const scene::PlanItems& items) {
   Candidate candidate;
   candidate.name = std::string(rays.name) + "/" + std::string(intersect.name);
-  candidate.frame = [](const scene::Camera& camera) {
+  candidate.frame = [](const Camera& camera) {
     const fast::CameraFrame frame = fast::camera_frame(camera);
     return FrameAnswer{frame.U, frame.V, frame.W};
   };
   if (rays.pixel_points != nullptr) {
-    candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
-                                                        const scene::Conventions& conventions,
+    candidate.pixel_points = [make = rays.pixel_points](const Camera& camera,
+                                                        const Conventions& conventions,
                                                         Candidate::Pixels pixels) {
       fast::Vectors& batch = room().points;
       make(camera, conventions, pixels, batch);
-      std::vector<scene::Point3> points(pixels.size());
-      for (std::size_t k = 0; k < points.size(); ++k) points[k] = batch.at<scene::Point3>(k);
+      std::vector<Point3> points(pixels.size());
+      for (std::size_t k = 0; k < points.size(); ++k) points[k] = batch.at<Point3>(k);
       return points;
     };
   }
@@ -148,7 +147,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   }
   candidate.focal_rays = make_rays(rays.focal_rays);
   candidate.intersect = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
-                                     const scene::Conventions& conventions) {
+                                     const Conventions& conventions) {
     auto& [points, batch, hits, answers] = room();
     batch = batch_of(given);
     answers.resize(spheres.size());
@@ -161,7 +160,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   };
   candidate.classes_in = intersect.classes_in;
   candidate.nearest = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
-                                   const scene::Conventions& conventions) {
+                                   const Conventions& conventions) {
     std::vector<std::optional<std::size_t>> nearest;
     for (const auto& first :
          fast::nearest_spheres(intersect, batch_of(given), spheres, conventions.hit_rule())) {
@@ -169,13 +168,13 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     }
     return nearest;
   };
-  candidate.plan = [items](const scene::Scene& scene, const scene::Conventions& conventions,
+  candidate.plan = [items](const Scene& scene, const Conventions& conventions,
                            scene::Wanted wanted) {
     return scene::plan_scene(scene, conventions, wanted, items);
   };
-  candidate.visible = [&rays, &intersect, plan = candidate.plan](
-                          const scene::Scene& scene, const scene::Conventions& conventions,
-                          Candidate::Pixels pixels) {
+  candidate.visible = [&rays, &intersect, plan = candidate.plan](const Scene& scene,
+                                                                 const Conventions& conventions,
+                                                                 Candidate::Pixels pixels) {
     return seen_through(scene, plan(scene, conventions, scene::Wanted::kNearest), rays, intersect,
                         pixels);
   };

@@ -9,10 +9,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Sphere;
-using scene::Vector3;
-
 /// Adds spheres in view of a camera that is otherwise complete, and some of its pixels.
 void finish(Random& random, const Camera& camera, std::int64_t fewest_spheres, Case& result) {
   result.scene.camera = camera;

@@ -8,14 +8,6 @@
 #include "properties/cases/random.h"
 
 namespace raycheck::properties {
-namespace {
-
-int any_severity(const SeverityRange& range, std::uint64_t seed) {
-  Random random(~seed);  // not the random numbers that make the case
-  return static_cast<int>(random.integer(0, range.highest));
-}
-
-}  // namespace
 
 int SeverityRange::highest_of(Level level) const {
   switch (level) {
@@ -66,7 +58,9 @@ const CaseSource* find_case_source(std::string_view name) {
 Case ChosenSource::make(std::uint64_t seed) const { return source->make(severity_of(seed), seed); }
 
 int ChosenSource::severity_of(std::uint64_t seed) const {
-  return severity ? *severity : source->severities ? any_severity(*source->severities, seed) : 0;
+  if (severity || !source->severities) return severity.value_or(0);
+  Random random(~seed);  // not the random numbers that make the case
+  return static_cast<int>(random.integer(0, source->severities->highest));
 }
 
 std::string ChosenSource::name() const {

@@ -9,7 +9,7 @@ std::string scene_text(const Case& the_case, std::string_view comment) {
   if (the_case.scene.camera) {
     if (!lines.empty()) lines += "\n";
     lines += "pixels:";
-    for (const scene::Pixel& pixel : the_case.pixels) {
+    for (const Pixel& pixel : the_case.pixels) {
       lines += " (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
     }
   }

@@ -11,18 +11,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Point3;
-using scene::Ray;
-using scene::Sphere;
-using scene::Vector3;
-
-/// The coordinates in one of the three orders that keep handedness.
-template <class Triple>
-Triple turned(Triple v, std::int64_t turns) {
-  for (; turns > 0; --turns) v = {v.z, v.x, v.y};
-  return v;
-}
-
 Case tangency(int severity, std::uint64_t seed) {
   Random random(seed);
   return ray_case(random, ordinary_origin(random), [severity](Random& draw, const Line& line) {

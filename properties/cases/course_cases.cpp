@@ -10,11 +10,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Point3;
-using scene::Sphere;
-using scene::Vector3;
-
 constexpr double kGrain = 0.25;        ///< Coordinates are multiples of it, radii of its half.
 constexpr double kFineGrain = 0x1p-6;  ///< Grain and gap in front of the image plane.
 constexpr double kGap = 0.0625;        ///< How far spheres stay from planes that they avoid.
@@ -121,9 +116,9 @@ Sphere before(Random& random, const View& view) {
 
 constexpr std::int64_t kPixels = 10;
 
-std::vector<scene::Pixel> corners_and_others(Random& random, const Camera& camera) {
+std::vector<Pixel> corners_and_others(Random& random, const Camera& camera) {
   const std::int64_t right = camera.width - 1, top = camera.height - 1;
-  std::vector<scene::Pixel> pixels = {{0, 0}, {right, 0}, {0, top}, {right, top}};
+  std::vector<Pixel> pixels = {{0, 0}, {right, 0}, {0, top}, {right, top}};
   for (std::int64_t k = 0; k < kPixels; ++k) {
     const std::int64_t i = random.integer(0, right);
     pixels.push_back({i, random.integer(0, top)});

@@ -8,12 +8,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Point3;
-using scene::Ray;
-using scene::Sphere;
-using scene::Vector3;
-
 /// to - from as high + low exactly, coordinate by coordinate (Knuth's two-sum).
 struct Difference {
   Vector3 high;
@@ -113,8 +107,8 @@ double axial_distance(const Ray& ray, const Point3& centre) {
   return (dot(high, ray.direction) + dot(low, ray.direction)) / length(ray.direction);
 }
 
-scene::Conventions any_conventions(Random& random) {
-  scene::Conventions conventions;
+Conventions any_conventions(Random& random) {
+  Conventions conventions;
   if (random.one_in(2)) conventions.rows = scene::Rows::kTopFirst;
   const std::int64_t samples = random.integer(1, 6);
   if (samples == 1) conventions.samples = scene::Samples::kCentres;
@@ -126,7 +120,7 @@ scene::Conventions any_conventions(Random& random) {
   return conventions;
 }
 
-void scale_lengths(scene::Scene& scene, int exponent) {
+void scale_lengths(Scene& scene, int exponent) {
   for_each_length(scene, [exponent](double& x) { x = std::ldexp(x, exponent); });
 }
 
@@ -171,8 +165,8 @@ void vary_bounds(Random& random, Camera& camera) {
   if (random.one_in(8)) std::swap(camera.left, camera.right);
 }
 
-std::vector<scene::Pixel> some_pixels(Random& random, const Camera& camera) {
-  std::vector<scene::Pixel> pixels;
+std::vector<Pixel> some_pixels(Random& random, const Camera& camera) {
+  std::vector<Pixel> pixels;
   const auto count = random.integer(1, 4);
   for (std::int64_t k = 0; k < count; ++k) {
     pixels.push_back({random.integer(0, camera.width - 1), random.integer(0, camera.height - 1)});
@@ -181,7 +175,7 @@ std::vector<scene::Pixel> some_pixels(Random& random, const Camera& camera) {
   return pixels;
 }
 
-void add_spheres_in_view(Random& random, std::int64_t count, scene::Scene& scene) {
+void add_spheres_in_view(Random& random, std::int64_t count, Scene& scene) {
   for (std::int64_t k = 0; k < count; ++k) {
     scene.spheres.push_back(sphere_in_view(random, *scene.camera));
   }

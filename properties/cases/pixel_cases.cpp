@@ -9,12 +9,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Pixel;
-using scene::Point3;
-using scene::Sphere;
-using scene::Vector3;
-
 /// A pixel's ray, computed in plain doubles.
 struct PixelAim {
   Line from_pixel;
@@ -22,7 +16,7 @@ struct PixelAim {
   double length;  ///< |P - E|
 };
 
-PixelAim aim_through(const scene::Scene& scene, const Pixel& pixel) {
+PixelAim aim_through(const Scene& scene, const Pixel& pixel) {
   const Camera& camera = *scene.camera;
   const auto [U, V, W] = Axes(camera);
   const auto share = [&](std::int64_t index, std::int64_t count) {

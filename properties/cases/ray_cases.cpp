@@ -12,11 +12,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Point3;
-using scene::Ray;
-using scene::Sphere;
-using scene::Vector3;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Sphere ordinary_sphere(Random& random, const Line& line) {
@@ -44,15 +39,11 @@ Case ties(int, std::uint64_t seed) {
     impact = std::nextafter(impact, steps < 0 ? 0 : kInfinity);
   }
   const double distance = random.small_integer(20);
-  Vector3 direction = {random.one_in(2) ? 1.0 : static_cast<double>(random.integer(1, 9)), 0, 0};
-  Point3 origin = {0, impact, 0};
-  Point3 centre = {distance, 0, 0};
-  for (auto turns = random.integer(0, 2); turns > 0; --turns) {
-    direction = {direction.z, direction.x, direction.y};
-    origin = {origin.z, origin.x, origin.y};
-    centre = {centre.z, centre.x, centre.y};
-  }
-  result.scene.rays.push_back({origin, direction});
+  const Vector3 direction = {random.one_in(2) ? 1.0 : static_cast<double>(random.integer(1, 9)), 0,
+                             0};
+  const auto turns = random.integer(0, 2);
+  const Point3 centre = turned(Point3{distance, 0, 0}, turns);
+  result.scene.rays.push_back({turned(Point3{0, impact, 0}, turns), turned(direction, turns)});
   result.scene.spheres.push_back({centre, radius});
   if (random.one_in(2)) {
     const double other = random.one_in(2) ? radius : std::nextafter(radius, kInfinity);

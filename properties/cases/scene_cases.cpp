@@ -11,7 +11,7 @@ namespace {
 /// as N allows. If N is the number of pixels: all pixels, row by row.
 class PixelGrid {
  public:
-  PixelGrid(const scene::Camera& camera, std::uint64_t count)
+  PixelGrid(const Camera& camera, std::uint64_t count)
       : width_(static_cast<std::uint64_t>(camera.width)),
         height_(static_cast<std::uint64_t>(camera.height)) {
     const double aspect = static_cast<double>(width_) / static_cast<double>(height_);
@@ -22,7 +22,7 @@ class PixelGrid {
     columns_ = (count + rows_ - 1) / rows_;
   }
 
-  scene::Pixel operator[](std::uint64_t index) const {
+  Pixel operator[](std::uint64_t index) const {
     const std::uint64_t column = index % columns_;
     const std::uint64_t row = index / columns_;
     return {static_cast<std::int64_t>((2 * column + 1) * width_ / (2 * columns_)),
@@ -38,7 +38,7 @@ class PixelGrid {
 
 }  // namespace
 
-SceneCases::SceneCases(scene::Scene scene, std::optional<std::uint64_t> at_most)
+SceneCases::SceneCases(Scene scene, std::optional<std::uint64_t> at_most)
     : scene_(std::move(scene)),
       judged_(std::min(rays_in_scene(), at_most.value_or(rays_in_scene()))) {
   if (!scene_.camera) judged_ = rays_in_scene();

@@ -11,16 +11,16 @@ namespace raycheck::properties {
 /// are then spread evenly over the image.
 class SceneCases {
  public:
-  SceneCases(scene::Scene scene, std::optional<std::uint64_t> at_most);
+  SceneCases(Scene scene, std::optional<std::uint64_t> at_most);
 
-  const scene::Scene& scene() const { return scene_; }
+  const Scene& scene() const { return scene_; }
   std::uint64_t rays_in_scene() const;
   std::uint64_t rays_judged() const { return judged_; }
   /// A case with the rays [first, end) of those judged.
   Case from(std::uint64_t first, std::uint64_t end) const;
 
  private:
-  scene::Scene scene_;
+  Scene scene_;
   std::uint64_t judged_;
 };
 

@@ -31,17 +31,16 @@ double rounded_to_bits(double value, int bits) {
 bool is_valid(const Case& the_case) {
   if (!scene::defects(the_case.scene).empty()) return false;
   if (!the_case.scene.camera) return true;
-  const scene::Camera& camera = *the_case.scene.camera;
-  return std::all_of(the_case.pixels.begin(), the_case.pixels.end(), [&](const scene::Pixel& p) {
-    return p.i < camera.width && p.j < camera.height;
-  });
+  const Camera& camera = *the_case.scene.camera;
+  return std::all_of(the_case.pixels.begin(), the_case.pixels.end(),
+                     [&](const Pixel& p) { return p.i < camera.width && p.j < camera.height; });
 }
 
 /// The number of spheres of radius 0. They are harder to picture, so a radius of 0 does not make a
 /// case simpler.
-std::ptrdiff_t count_points(const scene::Scene& scene) {
+std::ptrdiff_t count_points(const Scene& scene) {
   return std::count_if(scene.spheres.begin(), scene.spheres.end(),
-                       [](const scene::Sphere& sphere) { return sphere.radius == 0; });
+                       [](const Sphere& sphere) { return sphere.radius == 0; });
 }
 
 /// Called with one case after another until it returns true.
@@ -67,9 +66,9 @@ bool leave_some_out(const Case& the_case, Member member, std::size_t keep, const
 }
 
 template <class Convention>
-bool reset(const Case& the_case, Convention scene::Conventions::*member, const Take& take) {
+bool reset(const Case& the_case, Convention Conventions::*member, const Take& take) {
   Case plain = the_case;
-  plain.scene.conventions.*member = scene::Conventions{}.*member;
+  plain.scene.conventions.*member = Conventions{}.*member;
   return !(plain.scene.conventions == the_case.scene.conventions) && take(std::move(plain));
 }
 
@@ -82,7 +81,7 @@ std::vector<std::int64_t> smaller_counts(std::int64_t count) {
 }
 
 bool shrink_image(const Case& the_case, const Take& take) {
-  const scene::Camera& camera = *the_case.scene.camera;
+  const Camera& camera = *the_case.scene.camera;
   for (const bool across : {true, false}) {
     const std::int64_t count = across ? camera.width : camera.height;
     for (const std::int64_t smaller : smaller_counts(count)) {
@@ -90,7 +89,7 @@ bool shrink_image(const Case& the_case, const Take& take) {
       for (const bool in_proportion : {true, false}) {
         Case less = the_case;
         (across ? less.scene.camera->width : less.scene.camera->height) = smaller;
-        for (scene::Pixel& pixel : less.pixels) {
+        for (Pixel& pixel : less.pixels) {
           std::int64_t& index = across ? pixel.i : pixel.j;
           index =
               in_proportion ? index * (smaller - 1) / (count - 1) : std::min(index, smaller - 1);
@@ -100,7 +99,7 @@ bool shrink_image(const Case& the_case, const Take& take) {
     }
   }
   for (std::size_t k = 0; k < the_case.pixels.size(); ++k) {
-    if (the_case.pixels[k] == scene::Pixel{}) continue;
+    if (the_case.pixels[k] == Pixel{}) continue;
     Case first = the_case;
     first.pixels[k] = {};
     if (take(std::move(first))) return true;
@@ -136,10 +135,9 @@ bool any_simpler(const Case& the_case, const Take& take) {
     return [member](auto& c) -> auto& { return c.scene.*member; };
   };
   const auto pixels = [](auto& c) -> auto& { return c.pixels; };
-  using scene::Conventions;
-  return leave_some_out(the_case, of(&scene::Scene::spheres), 0, valid) ||
+  return leave_some_out(the_case, of(&Scene::spheres), 0, valid) ||
          leave_some_out(the_case, pixels, 1, valid) ||
-         leave_some_out(the_case, of(&scene::Scene::rays), 1, valid) ||
+         leave_some_out(the_case, of(&Scene::rays), 1, valid) ||
          reset(the_case, &Conventions::rows, valid) ||
          reset(the_case, &Conventions::samples, valid) ||
          reset(the_case, &Conventions::origin, valid) ||

@@ -14,12 +14,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Point3;
-using scene::Scene;
-using scene::Sphere;
-using scene::Vector3;
-
 /// Positions and sizes on the image plane count as equal if they differ by at most this share of a
 /// pixel.
 constexpr double kSamePlace = 1e-3;

@@ -8,23 +8,21 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::Enclosure3;
-
 /// The largest of the axes' unit defects and mutual cosines; infinite if the frame is left-handed
 /// or not finite.
 scene::Measured orthonormality_error(const FrameAnswer& frame) {
-  const Enclosure3 U = reference::enclose_exactly(frame.U);
-  const Enclosure3 V = reference::enclose_exactly(frame.V);
-  const Enclosure3 W = reference::enclose_exactly(frame.W);
+  const Enclosure3 U = enclose_exactly(frame.U);
+  const Enclosure3 V = enclose_exactly(frame.V);
+  const Enclosure3 W = enclose_exactly(frame.W);
   if (dot(cross(U, V), W).certain_sign() != 1) return {std::numeric_limits<double>::infinity()};
   return std::max({reference::unit_defect(frame.U), reference::unit_defect(frame.V),
-                   reference::unit_defect(frame.W), reference::in_units_of_u(dot(U, V)),
-                   reference::in_units_of_u(dot(V, W)), reference::in_units_of_u(dot(W, U))});
+                   reference::unit_defect(frame.W), in_units_of_u(dot(U, V)),
+                   in_units_of_u(dot(V, W)), in_units_of_u(dot(W, U))});
 }
 
 void judge_frame(Trial& trial, Verdict& verdict) {
   const FrameAnswer& got = trial.frame();
-  const reference::ExactCamera& camera = trial.exact_camera();
+  const ExactCamera& camera = trial.exact_camera();
   const reference::EnclosedFrame exact = camera.frame();
   const auto condition = [&] { return reference::condition_of_frame(camera); };
   const auto judge_axis = [&](const char* axis, const scene::UnitVector3& answer,
@@ -50,13 +48,8 @@ void judge_frame(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kFrameLawTable[] = {
-    {.name = "frame",
-     .sentence = "the frame is orthonormal, right-handed and equal to the camera's",
-     .per = Per::kScene,
-     .needs = Needs::kFrame,
-     .quantity = Quantity::kFrame,
-     .judges_values = true,
-     .judge = judge_frame},
+    {"frame", "the frame is orthonormal, right-handed and equal to the camera's", Per::kScene,
+     Needs::kFrame, Quantity::kFrame, judge_frame, kValues},
 };
 
 }  // namespace

@@ -16,10 +16,9 @@ constexpr double kOfRoundings = 1 + 0x1p-40;
 
 /// An upper bound, for these rays and spheres, of the factor by which plain_change() enlarges the
 /// excused change.
-double most_growth(const Candidate& candidate, const scene::Box<scene::Ray>& rays,
-                   const scene::Box<scene::Sphere>& spheres) {
+double most_growth(const Candidate& candidate, const scene::Box<Ray>& rays,
+                   const scene::Box<Sphere>& spheres) {
   if (candidate.level != Level::kOrdinary) return 1;
-  using scene::Point3;
   std::array<double, 3> least = {}, most = {};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = std::array{&Point3::x, &Point3::y, &Point3::z}[k];
@@ -42,25 +41,25 @@ double most_growth(const Candidate& candidate, const scene::Box<scene::Ray>& ray
 bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Case>& cases,
                 DefectKind kind) {
   using reference::HitClass;
-  const scene::Scene &least = cases.least.scene, &greatest = cases.greatest.scene;
+  const Scene &least = cases.least.scene, &greatest = cases.greatest.scene;
   const bool missed = kind.wrong == Wrong::kMissed;
   const bool is_class = judges_decisions(law) && law.quantity == kind.quantity &&
                         kind.quantity == Quantity::kClass &&
                         (missed || kind.wrong == Wrong::kFalseHit);
-  const scene::Conventions conventions = candidate.declared.over(least.conventions);
+  const Conventions conventions = candidate.declared.over(least.conventions);
   // If both ends lie in the domain, all lengths between them do, except in ranges from 0 and except
   // distances.
   const bool has_points = std::any_of(least.spheres.begin(), least.spheres.end(),
-                                      [](const scene::Sphere& one) { return one.radius == 0; });
+                                      [](const Sphere& one) { return one.radius == 0; });
   if (!candidate.classes_in || !is_class || !conventions.valid.is_usual() || least.camera ||
       has_points) {
     return false;
   }
   const double change = excused_change(candidate.unit_roundoff);
   for (std::size_t k = 0; k < least.rays.size(); ++k) {
-    const scene::Box<scene::Ray> rays = {least.rays[k], greatest.rays[k]};
+    const scene::Box<Ray> rays = {least.rays[k], greatest.rays[k]};
     for (std::size_t m = 0; m < least.spheres.size(); ++m) {
-      const scene::Box<scene::Sphere> spheres = {least.spheres[m], greatest.spheres[m]};
+      const scene::Box<Sphere> spheres = {least.spheres[m], greatest.spheres[m]};
       const auto answers = candidate.classes_in(rays, spheres, conventions.hit_rule());
       if (missed ? answers.hit : answers.miss) continue;
       const auto truth = reference::intersection_in(

@@ -7,8 +7,8 @@
 
 namespace raycheck::properties {
 
-double plain_condition(const Candidate& candidate, const reference::ExactRay& ray,
-                       const scene::Sphere& sphere, const reference::Intersection& at) {
+double plain_condition(const Candidate& candidate, const ExactRay& ray, const Sphere& sphere,
+                       const Intersection& at) {
   if (candidate.level != Level::kOrdinary) return 0;
   return reference::distance_in_radii(ray, sphere) <= kOrdinaryDistance
              ? reference::textbook_condition(ray, sphere, at)
@@ -17,23 +17,14 @@ double plain_condition(const Candidate& candidate, const reference::ExactRay& ra
 
 namespace {
 
-using reference::Enclosure;
-using reference::Enclosure3;
-using reference::ExactRay;
-using reference::Intersection;
-using reference::WhichRoot;
-
 /// A ray and a sphere that meet according to the candidate, the truth or both.
 struct Encounter {
-  Encounter(Trial& of, std::size_t ray_index, std::size_t sphere_index, const HitAnswer* hit,
-            const Intersection* at)
-      : trial(of),
-        ray_at(ray_index),
-        sphere_at(sphere_index),
-        ray(of.exact_ray(ray_index)),
-        sphere(of.scene().spheres[sphere_index]),
-        answer(hit),
-        exact(at) {}
+  Trial& trial;
+  std::size_t ray_at, sphere_at;
+  const HitAnswer* answer;    ///< Null: a miss.
+  const Intersection* exact;  ///< Null: a miss.
+  const ExactRay& ray = trial.exact_ray(ray_at);
+  const Sphere& sphere = trial.scene().spheres[sphere_at];
 
   Place place() const { return trial.place(ray_at, sphere_at); }
   /// Whether the exact hit is the start of the ray.
@@ -91,13 +82,6 @@ struct Encounter {
     const Enclosure along = norm(enclosed.point(sphere, *exact) - enclosed.origin());
     return condition * (along / length).upper();
   }
-
-  Trial& trial;
-  std::size_t ray_at, sphere_at;
-  const ExactRay& ray;
-  const scene::Sphere& sphere;
-  const HitAnswer* answer;    ///< Null: a miss.
-  const Intersection* exact;  ///< Null: a miss.
 };
 
 /// Calls visit(encounter) for all encounters that are judged, sphere by sphere. All other judged
@@ -110,7 +94,7 @@ void for_each_encounter(Trial& trial, Visit visit) {
     auto hit = hits.begin();
     const auto visit_false_hits_before = [&](std::size_t ray) {
       for (; hit != hits.end() && hit->ray < ray; ++hit) {
-        visit(Encounter(trial, hit->ray, sphere, &hit->hit, nullptr));
+        visit(Encounter{trial, hit->ray, sphere, &hit->hit, nullptr});
       }
     };
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
@@ -121,7 +105,7 @@ void for_each_encounter(Trial& trial, Visit visit) {
       if (is_unjudged(at, tangent)) continue;
       const bool is_hit = counts_as_hit(at.hit_class, tangent);
       if (is_hit || is_answered) {
-        visit(Encounter(trial, meeting.ray, sphere, answer, is_hit ? &at : nullptr));
+        visit(Encounter{trial, meeting.ray, sphere, answer, is_hit ? &at : nullptr});
       }
     }
     visit_false_hits_before(trial.ray_count());
@@ -220,7 +204,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
     const HitAnswer answer = {*at.answer->other_root, {}};
     Intersection exact = *at.exact;
     exact.root = exact.root == WhichRoot::kSmaller ? WhichRoot::kLarger : WhichRoot::kSmaller;
-    const Encounter other(trial, at.ray_at, at.sphere_at, &answer, &exact);
+    const Encounter other = {trial, at.ray_at, at.sphere_at, &answer, &exact};
     measure_parameter(
         trial, verdict, other,
         [&] { return reference::condition_of_parameter(at.ray, at.sphere, exact); },
@@ -251,8 +235,8 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
 /// size of these coordinates over r and over s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const ExactRay& ray = at.ray;
-  const scene::Sphere& sphere = at.sphere;
-  const scene::Point3& answer = at.answer->point;
+  const Sphere& sphere = at.sphere;
+  const Point3& answer = at.answer->point;
   const auto measure = [&](Quantity quantity, const std::optional<scene::Measured>& error,
                            const auto& scale, const std::function<double()>& plain,
                            const std::function<double()>& tolerance) {
@@ -260,8 +244,8 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
     trial.measure(
         verdict, {quantity, at.place(), *error},
         [&] {
-          const Enclosure3 point = reference::enclose_exactly(answer);
-          const Enclosure3 centre = reference::enclose_exactly(sphere.centre);
+          const Enclosure3 point = enclose_exactly(answer);
+          const Enclosure3 centre = enclose_exactly(sphere.centre);
           const Enclosure3 origin = ray.enclose(256).origin();
           const Enclosure radius(sphere.radius, 256);
           const Enclosure size = norm(point) + norm(centre) + norm(origin) + radius;
@@ -283,19 +267,15 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
 
 /// Judges Q, which must be the origin of the ray as the candidate got it.
 void judge_start(Trial& trial, Verdict& verdict, const Encounter& at) {
-  const scene::Point3& origin = trial.rays()[at.ray_at].origin;
-  const Enclosure3 exact = reference::enclose_exactly(origin);
-  const Enclosure off = norm(reference::enclose_exactly(at.answer->point) - exact);
-  const Enclosure size = norm(exact) + norm(reference::enclose_exactly(at.sphere.centre));
+  const Point3& origin = trial.rays()[at.ray_at].origin;
+  const Enclosure3 exact = enclose_exactly(origin);
+  const Enclosure off = norm(enclose_exactly(at.answer->point) - exact);
+  const Enclosure size = norm(exact) + norm(enclose_exactly(at.sphere.centre));
   trial.measure(
       verdict,
       {Quantity::kHitPoint, at.place(),
-       reference::in_units_of_u(off / (size + Enclosure(at.sphere.radius, 256)))},
-      [] { return 1; },
-      [&](Discrepancy& d) {
-        d.got = numbers(at.answer->point);
-        d.exact = numbers(origin);
-      });
+       in_units_of_u(off / (size + Enclosure(at.sphere.radius, 256)))},
+      [] { return 1; }, shown(at.answer->point, [&] { return origin; }));
 }
 
 void judge_hit_point(Trial& trial, Verdict& verdict) {
@@ -306,10 +286,8 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         {Quantity::kHitPoint, at.place(),
          reference::hit_point_error(at.ray, at.sphere, *at.exact, at.answer->point)},
         [&] { return reference::condition_of_computed_point(at.ray, at.sphere, *at.exact); },
-        [&](Discrepancy& d) {
-          d.got = numbers(at.answer->point);
-          d.exact = numbers(at.ray.rounded_point(at.sphere, *at.exact, trial.precision()));
-        },
+        shown(at.answer->point,
+              [&] { return at.ray.rounded_point(at.sphere, *at.exact, trial.precision()); }),
         [&] { return at.backward_error(); },
         [&] {
           const double of_s = at.plain_condition();
@@ -329,10 +307,10 @@ struct BothOrigins {
   const ExactRay& pixel_ray;
   const HitAnswer& eye_hit;
   const HitAnswer& pixel_hit;
-  scene::Precision precision;
+  Precision precision;
 };
 
-void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphere& sphere,
+void describe_origins(Discrepancy& d, const BothOrigins& both, const Sphere& sphere,
                       const Intersection& at) {
   d.what = "s from the eye, s from the pixel";
   d.symbol.clear();
@@ -348,7 +326,7 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
 /// nearby inputs have it.
 bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
                       const Intersection& at) {
-  const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
+  const Sphere& sphere = trial.scene().spheres[*place.sphere];
   const auto is_wrong = [&](const ExactRay& ray, const HitAnswer& hit) {
     return reference::is_at_other_root(ray, sphere, at, hit.parameter);
   };
@@ -371,22 +349,22 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
     return verdict.leave_out("t_min and t_max count from the origin of the ray, which differs");
   }
   const Candidate& candidate = trial.candidate();
-  scene::Conventions from_pixel = trial.conventions();
+  Conventions from_pixel = trial.conventions();
   from_pixel.origin = scene::Origin::kPixel;
-  scene::Conventions from_eye = from_pixel;
+  Conventions from_eye = from_pixel;
   from_eye.origin = scene::Origin::kFocal;
-  const scene::Camera& camera = *trial.scene().camera;
-  const auto exact_camera = [&](const scene::Conventions& by) {
-    return by == trial.conventions() ? trial.exact_camera() : reference::ExactCamera(camera, by);
+  const Camera& camera = *trial.scene().camera;
+  const auto exact_camera = [&](const Conventions& by) {
+    return by == trial.conventions() ? trial.exact_camera() : ExactCamera(camera, by);
   };
-  const reference::ExactCamera pixel_camera = exact_camera(from_pixel);
-  const reference::ExactCamera eye_camera = exact_camera(from_eye);
+  const ExactCamera pixel_camera = exact_camera(from_pixel);
+  const ExactCamera eye_camera = exact_camera(from_eye);
   const auto pixel_rays = candidate.pixel_rays(camera, from_pixel, trial.pixels());
   const auto eye_rays = candidate.focal_rays(camera, from_eye, trial.pixels());
   const auto all_pixel_hits = trial.intersect(pixel_rays, trial.scene().spheres, from_pixel);
   const auto all_eye_hits = trial.intersect(eye_rays, trial.scene().spheres, from_eye);
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
+    const Sphere& the_sphere = trial.scene().spheres[sphere];
     for (const RayHit& eye : all_eye_hits[sphere]) {
       const std::size_t k = eye.ray;
       const HitAnswer* const pixel_hit = find_hit(all_pixel_hits[sphere], k);
@@ -399,7 +377,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
       const Intersection at = met_by(eye_ray);
       // The exact root or hit class from the pixel differs, because the sphere reaches behind the
       // pixel; or the hit is the start of a ray.
-      if (at.hit_class != reference::HitClass::kHit || !(at == met_by(pixel_ray)) ||
+      if (at.hit_class != HitClass::kHit || !(at == met_by(pixel_ray)) ||
           is_at_start(eye_ray, the_sphere, candidate) ||
           is_at_start(pixel_ray, the_sphere, candidate)) {
         continue;
@@ -426,14 +404,13 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
                         trial.tolerance(pixel_ray, the_sphere, pixel_hit->parameter));
       };
       trial.measure(verdict,
-                    {Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
+                    {Quantity::kInvariance, place, in_units_of_u(off / scale),
                      2 * trial.bound(Quantity::kParameter)},
                     condition, describe, {}, plain, tolerance);
-      const Enclosure3 apart =
-          reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
+      const Enclosure3 apart = enclose_exactly(eye.hit.point) - enclose_exactly(pixel_hit->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
       trial.measure(verdict,
-                    {Quantity::kInvariance, place, reference::in_units_of_u(norm(apart) / size),
+                    {Quantity::kInvariance, place, in_units_of_u(norm(apart) / size),
                      2 * trial.bound(Quantity::kHitPoint)},
                     condition, describe, {}, plain, tolerance);
     }
@@ -444,58 +421,28 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kIntersectLawTable[] = {
-    {.name = "class",
-     .sentence = "rays hit and miss as in exact arithmetic",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
-     .quantity = Quantity::kClass,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_class},
-    {.name = "nearest-root",
-     .sentence =
-         "the root is the right one: the one that the conventions choose in exact arithmetic",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kEither,
-     .quantity = Quantity::kRoot,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_root},
-    {.name = "parameter",
-     .sentence = "the parameter s is the exact root, within its bound",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
-     .quantity = Quantity::kParameter,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_parameter},
-    {.name = "backward-error",
-     .sentence = "the parameter s is the exact root for inputs changed by a few roundings",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
-     .quantity = Quantity::kBackwardError,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_backward_error},
-    {.name = "hit-point",
-     .sentence = "the hit point is exact, lies on the sphere and on the ray",
-     .per = Per::kPair,
-     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kPoints,
-     .quantity = Quantity::kHitPoint,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .judge = judge_hit_point},
-    {.name = "focal-and-pixel",
-     .sentence =
-         "rays from E and from P hit the same point, and their s differ by the length of P - E",
-     .per = Per::kPair,
-     .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
-              Needs::kPoints,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_focal_and_pixel},
+    {"class", "rays hit and miss as in exact arithmetic", Per::kPair,
+     Needs::kIntersect | Needs::kSpheres | Needs::kRays, Quantity::kClass, judge_class, kValues,
+     Stage::kIntersection, kStability},
+    {"nearest-root",
+     "the root is the right one: the one that the conventions choose in exact arithmetic",
+     Per::kPair, Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kEither,
+     Quantity::kRoot, judge_root, kValues, Stage::kIntersection, kStability},
+    {"parameter", "the parameter s is the exact root, within its bound", Per::kPair,
+     Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters, Quantity::kParameter,
+     judge_parameter, kValues, Stage::kIntersection, kStability},
+    {"backward-error", "the parameter s is the exact root for inputs changed by a few roundings",
+     Per::kPair, Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
+     Quantity::kBackwardError, judge_backward_error, kRelations, Stage::kIntersection, kStability},
+    {"hit-point", "the hit point is exact, lies on the sphere and on the ray", Per::kPair,
+     Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kPoints, Quantity::kHitPoint,
+     judge_hit_point, kValues, Stage::kIntersection},
+    {"focal-and-pixel",
+     "rays from E and from P hit the same point, and their s differ by the length of P - E",
+     Per::kPair,
+     Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
+         Needs::kPoints,
+     Quantity::kInvariance, judge_focal_and_pixel},
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <memory>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -78,7 +77,7 @@ constexpr Need kNeeds[] = {
      "only raycheck's methods are given invalid input"},
     {Needs::kImage,
      [](const Trial& trial) {
-       const scene::Camera& camera = *trial.scene().camera;
+       const Camera& camera = *trial.scene().camera;
        return camera.width <= trial.candidate().most_image_pixels / camera.height;
      },
      "the image is larger than those that the candidate is asked for"},
@@ -86,7 +85,7 @@ constexpr Need kNeeds[] = {
      "the scene has no spheres", true},
     {Needs::kVisible,
      [](const Trial& trial) {
-       const scene::Camera& camera = *trial.scene().camera;
+       const Camera& camera = *trial.scene().camera;
        return std::max(camera.width, camera.height) <= trial.candidate().most_visible_across;
      },
      "the image is larger than those that visible() is asked for"},
@@ -97,68 +96,6 @@ constexpr Need kNeeds[] = {
     {Needs::kSeveralSpheres, [](const Trial& trial) { return trial.scene().spheres.size() > 1; },
      "the scene has one sphere, which is judged as hit or miss", true},
 };
-
-}  // namespace
-
-std::string_view what_is_missing(Needs needs, const Trial& trial) {
-  for (const Need& need : kNeeds) {
-    if (needs_any(needs, need.of) && !need.is_met(trial)) return need.reason;
-  }
-  return {};
-}
-
-bool scene_suits(Needs needs, const Trial& trial) {
-  return std::all_of(std::begin(kNeeds), std::end(kNeeds), [&](const Need& need) {
-    return !need.is_of_scenes || !needs_any(needs, need.of) || need.is_met(trial);
-  });
-}
-
-Place GivenRays::place(Place of_ray) const {
-  const scene::Pixel& pixel = pixels.at(of_ray.ray);
-  of_ray.ray = static_cast<std::size_t>(pixel.j * width + pixel.i);
-  of_ray.pixel = pixel;
-  return of_ray;
-}
-
-std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
-                                    InputFormat format) {
-  const reference::ExactCamera camera(the_case.scene.camera.value(), conventions);
-  GivenRays given;
-  given.width = the_case.scene.camera->width;
-  scene::Scene& scene = given.the_case.scene;
-  scene.spheres = the_case.scene.spheres;
-  scene.conventions = the_case.scene.conventions;
-  for (const scene::Pixel& pixel : the_case.pixels) {
-    const reference::ExactRay exact(camera, pixel);
-    const auto [x, y, z] = exact.rounded_direction(format.precision);
-    const scene::Ray ray = rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
-    if (!scene::defects(ray).empty()) continue;
-    scene.rays.push_back(ray);
-    given.pixels.push_back(pixel);
-  }
-  return scene.rays.empty() ? std::nullopt : std::optional(std::move(given));
-}
-
-std::span<const Law> laws() {
-  static const std::vector<Law> all = [] {
-    std::vector<Law> joined;
-    for (const std::span<const Law> some :
-         {kFrameLaws, kPixelPlaneLaws, kPixelRayLaws, kIntersectLaws, kNearestSphereLaws,
-          kImageLaws, kPlanLaws, kMetamorphicLaws, kRefusalLaws}) {
-      joined.insert(joined.end(), some.begin(), some.end());
-    }
-    return joined;
-  }();
-  return all;
-}
-
-const Law* find_law(std::string_view name) {
-  const auto found =
-      std::find_if(laws().begin(), laws().end(), [&](const Law& law) { return law.name == name; });
-  return found == laws().end() ? nullptr : &*found;
-}
-
-namespace {
 
 bool wants_given_rays(const Law& law, const Trial& trial) {
   return needs_any(law.needs, Needs::kRays) && !trial.has_rays() &&
@@ -209,7 +146,7 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   LawJudgement all{Verdict(law.name)};
   bool is_second = false;
-  for (const std::shared_ptr<TrialPart>& half : trial.failed_parts().halves(trial)) {
+  for (const std::shared_ptr<TrialPart>& half : trial.halves()) {
     const bool is_to_blame = is_second && !all.failed && count_asked(half->trial, by_sphere) > 1;
     const bool halves_at_once = is_to_blame && !half->trial.options().search->is_over();
     LawJudgement one = halves_at_once ? judge_halves(law, half->trial) : judge(law, half->trial);
@@ -222,27 +159,27 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// Called after a batch failed, at this line if it is known. Judges the failure if the batch is one
-/// question, otherwise the halves.
-LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
-                         const std::optional<CodeLine>& line = {}, bool timed_out = false) {
+/// Called after a batch failed. Judges the failure if the batch is one question, otherwise the
+/// halves.
+LawJudgement judge_apart(const Law& law, Trial& trial, const CandidateFailed& error) {
+  const char* const message = error.what();
   scene::poll();  // an interrupt may have ended the candidate, too
   FailureSearch* const search = trial.options().search;
   if (search == nullptr || !asks_apart(law)) {
     return judged_failure(law, trial, Wrong::kFailed, message,
-                          {Blame::kNone, 0, {}, line, timed_out});
+                          {Blame::kNone, 0, {}, error.line, error.timed_out});
   }
   const bool by_sphere = asks_by_sphere(law, trial);
   const std::uint64_t questions = count_asked(trial, by_sphere);
   const auto failed_once = [&](Blame blame, int& count) {
-    if (!trial.failed_parts().is_new(message)) return LawJudgement{Verdict(law.name), true};
+    if (!trial.is_new(message)) return LawJudgement{Verdict(law.name), true};
     ++count;
-    FailureSite failed{blame, questions, {}, line, timed_out};
+    FailureSite failed{blame, questions, {}, error.line, error.timed_out};
     if (blame == Blame::kQuestion) failed.scene = trial.asked_scene();
     return judged_failure(law, trial, Wrong::kFailed, message, failed);
   };
   if (questions <= 1) return failed_once(Blame::kQuestion, search->found);
-  if (search->is_over() && !trial.failed_parts().is_halved()) {
+  if (search->is_over() && !trial.is_halved()) {
     return failed_once(Blame::kAmong, search->not_sought);
   }
   LawJudgement judged = judge_halves(law, trial);
@@ -277,12 +214,8 @@ LawJudgement judge(const Law& law, Trial& trial) {
     return judged;
   } catch (const CandidateUnavailable& error) {
     return judge_unavailable(law, trial, error.what());
-  } catch (const NoReply& error) {
-    return judge_apart(law, trial, error.what(), error.line, true);
-  } catch (const FailedAtLine& error) {
-    return judge_apart(law, trial, error.what(), error.line);
   } catch (const CandidateFailed& error) {
-    return judge_apart(law, trial, error.what());
+    return judge_apart(law, trial, error);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const InternalError& error) {
@@ -294,6 +227,64 @@ LawJudgement judge(const Law& law, Trial& trial) {
 }
 
 }  // namespace
+
+std::string_view what_is_missing(Needs needs, const Trial& trial) {
+  for (const Need& need : kNeeds) {
+    if (needs_any(needs, need.of) && !need.is_met(trial)) return need.reason;
+  }
+  return {};
+}
+
+bool scene_suits(Needs needs, const Trial& trial) {
+  return std::all_of(std::begin(kNeeds), std::end(kNeeds), [&](const Need& need) {
+    return !need.is_of_scenes || !needs_any(needs, need.of) || need.is_met(trial);
+  });
+}
+
+Place GivenRays::place(Place of_ray) const {
+  const Pixel& pixel = pixels.at(of_ray.ray);
+  of_ray.ray = static_cast<std::size_t>(pixel.j * width + pixel.i);
+  of_ray.pixel = pixel;
+  return of_ray;
+}
+
+std::optional<GivenRays> given_rays(const Case& the_case, const Conventions& conventions,
+                                    InputFormat format) {
+  const ExactCamera camera(the_case.scene.camera.value(), conventions);
+  GivenRays given;
+  given.width = the_case.scene.camera->width;
+  Scene& scene = given.the_case.scene;
+  scene.spheres = the_case.scene.spheres;
+  scene.conventions = the_case.scene.conventions;
+  for (const Pixel& pixel : the_case.pixels) {
+    const ExactRay exact(camera, pixel);
+    const auto [x, y, z] = exact.rounded_direction(format.precision);
+    const Ray ray = rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
+    if (!scene::defects(ray).empty()) continue;
+    scene.rays.push_back(ray);
+    given.pixels.push_back(pixel);
+  }
+  return scene.rays.empty() ? std::nullopt : std::optional(std::move(given));
+}
+
+std::span<const Law> laws() {
+  static const std::vector<Law> all = [] {
+    std::vector<Law> joined;
+    for (const std::span<const Law> some :
+         {kFrameLaws, kPixelPlaneLaws, kPixelRayLaws, kIntersectLaws, kNearestSphereLaws, kPlanLaws,
+          kMetamorphicLaws, kRefusalLaws}) {
+      joined.insert(joined.end(), some.begin(), some.end());
+    }
+    return joined;
+  }();
+  return all;
+}
+
+const Law* find_law(std::string_view name) {
+  const auto found =
+      std::find_if(laws().begin(), laws().end(), [&](const Law& law) { return law.name == name; });
+  return found == laws().end() ? nullptr : &*found;
+}
 
 Verdict apply(const Law& law, Trial& trial) {
   scene::poll();

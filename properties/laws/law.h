@@ -66,7 +66,7 @@ bool scene_suits(Needs needs, const Trial& trial);
 /// A case with a camera's rays as given rays, and the pixel of each.
 struct GivenRays {
   Case the_case;
-  std::vector<scene::Pixel> pixels;
+  std::vector<Pixel> pixels;
   std::int64_t width = 0;  ///< The width of the image.
 
   /// The place with its ray replaced by the ray's pixel.
@@ -77,7 +77,7 @@ struct GivenRays {
 /// correctly rounded to what a candidate accepts and then taken as exact. For candidates that
 /// intersect rays but make none. Rays that round to non-finite ones are left out; empty if no ray
 /// is left. Domain: a valid scene with a camera; otherwise throws std::invalid_argument.
-std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
+std::optional<GivenRays> given_rays(const Case& the_case, const Conventions& conventions,
                                     InputFormat format = {});
 
 /// The unit that a law judges: a scene, a ray, a ray with a sphere, or an image.
@@ -92,6 +92,8 @@ struct Law {
   Per per;
   Needs needs;
   Quantity quantity;  ///< The first quantity that it judges.
+  /// Called only if `needs` are met. It may still leave the case out, with a reason.
+  void (*judge)(Trial&, Verdict&) = nullptr;
   /// Whether it compares single answers with the truth, one quantity at a time, as `check` reports
   /// them. The other laws relate several answers to each other, an answer to the ray that the
   /// candidate made for it, or a plan to the spheres that it leaves out.
@@ -101,9 +103,9 @@ struct Law {
   /// Whether it measures the stability of that stage, rather than something that follows from other
   /// laws.
   bool tells_stability = false;
-  /// Called only if `needs` are met. It may still leave the case out, with a reason.
-  void (*judge)(Trial&, Verdict&) = nullptr;
 };
+/// Law::judges_values, and Law::tells_stability, in the arrays of laws.
+inline constexpr bool kValues = true, kRelations = false, kStability = true;
 
 /// Whether a law needs scenes with a camera.
 constexpr bool is_about_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }

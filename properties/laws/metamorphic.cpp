@@ -1,7 +1,10 @@
 // Metamorphic laws: two cases whose answers must correspond.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -16,17 +19,14 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::Enclosure;
-using scene::Scene;
-
 /// The needs of comparing hits, besides rays.
 constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 
 /// A transformation of a case.
 struct Transformation {
   std::string what;
-  scene::Vector3 (*map)(const scene::Vector3&) = nullptr;  ///< Maps directions.
-  double factor = 1;                                       ///< Multiplies parameters.
+  std::function<Vector3(const Vector3&)> map = {};  ///< Maps directions.
+  double factor = 1;                                ///< Multiplies parameters.
 };
 
 /// A candidate's answer about a ray and a sphere.
@@ -35,12 +35,12 @@ struct PairAnswer {
   std::size_t ray, sphere_index;
   const HitAnswer* hit = find_hit(trial.hits(sphere_index), ray);  ///< Null: a miss.
 
-  const scene::Sphere& sphere() const { return trial.scene().spheres[sphere_index]; }
+  const Sphere& sphere() const { return trial.scene().spheres[sphere_index]; }
   RayAnswer answer() const { return answer_of(trial.exact_ray(ray), sphere(), hit); }
   double tolerance() const {
     return trial.tolerance(trial.exact_ray(ray), sphere(), hit->parameter);
   }
-  reference::Intersection exact() const { return trial.exact_intersection(ray, sphere_index); }
+  Intersection exact() const { return trial.exact_intersection(ray, sphere_index); }
   bool is_at_other_root() const {
     return properties::is_at_other_root(answer(), exact(), trial.candidate());
   }
@@ -49,15 +49,15 @@ struct PairAnswer {
 /// The distance between the parameters of two hits.
 scene::Measured error_between(const PairAnswer& first, const PairAnswer& second, double factor,
                               bool is_hit) {
-  const scene::Precision precision = first.trial.precision();
+  const Precision precision = first.trial.precision();
   const double s = first.hit->parameter, other = second.hit->parameter;
   // In ulp, so that gradual underflow is not a defect.
   const scene::Measured error = reference::ulp_error(other, Enclosure(s * factor, 128), precision);
   if (!std::isinf(error.value) || !is_hit || !std::isfinite(other)) return error;
   // If one parameter is 0, the error is relative to the exact one.
   const Enclosure apart = Enclosure(other, 128) / Enclosure(factor, 128) - Enclosure(s, 128);
-  return reference::in_units_of_u(
-      apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
+  return in_units_of_u(apart /
+                       first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
 /// What is wrong with an answer of which another one is right.
@@ -107,7 +107,7 @@ bool compare_classes(const PairAnswer& first, const PairAnswer& second, const Pl
 void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
                   const Transformation& by) {
   Trial& trial = first.trial;
-  const reference::Intersection at = first.exact();
+  const Intersection at = first.exact();
   const bool is_hit = trial.exact_hit(first.ray, first.sphere_index);
   const Place place = trial.place(first.ray, first.sphere_index);
   if (!compare_classes(first, second, place, verdict, by.what)) return;
@@ -158,8 +158,8 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
 void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
                         const Transformation& by) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    const scene::Vector3 expected = by.map(trial.rays()[k].direction);
-    const scene::Vector3& got = transformed.rays()[k].direction;
+    const Vector3 expected = by.map(trial.rays()[k].direction);
+    const Vector3& got = transformed.rays()[k].direction;
     trial.measure(
         verdict,
         {Quantity::kInvariance, trial.place(k),
@@ -197,7 +197,7 @@ void compare(Trial& trial, Verdict& verdict, const Scene& scene, const Transform
 
 /// The scene with every length multiplied by 2^exponent; directions and `up` stay. Empty if a
 /// number would be rounded in the format.
-std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precision) {
+std::optional<Scene> scaled(Scene scene, int exponent, Precision precision) {
   bool exact = true;
   for_each_length(scene, [&](double& x) {
     const double result = scene::rounded_to(precision, std::ldexp(x, exponent));
@@ -238,8 +238,8 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     is_tried = true;
     compare(trial, verdict, *scene,
-            {"lengths scaled by 2^" + std::to_string(exponent),
-             [](const scene::Vector3& v) { return v; }, std::ldexp(1.0, exponent)});
+            {"lengths scaled by 2^" + std::to_string(exponent), [](const Vector3& v) { return v; },
+             std::ldexp(1.0, exponent)});
   }
   if (!is_tried) verdict.leave_out("every scaled scene lies outside the candidate's domain");
 }
@@ -247,47 +247,40 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
 /// A permutation of the world axes with signs: coordinates are never rounded.
 struct AxesMap {
   const char* what;
-  bool is_mirror;  ///< It makes right-handed frames left-handed, so it is not used for cameras.
-  scene::Vector3 (*apply)(const scene::Vector3&);
+  std::array<int, 3> axes;  ///< Which axis, counted from 1, becomes the first, second and third.
+  bool is_mirror = false;   ///< It makes right-handed frames left-handed: not used for cameras.
+
+  Vector3 operator()(const Vector3& v) const {
+    const auto along = [&](int axis) {
+      const double x = std::array{v.x, v.y, v.z}[static_cast<std::size_t>(std::abs(axis) - 1)];
+      return axis < 0 ? -x : x;
+    };
+    return {along(axes[0]), along(axes[1]), along(axes[2])};
+  }
 };
 constexpr AxesMap kAxesMaps[] = {
-    {"axes permuted to (y, z, x)", false,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.y, v.z, v.x};
-     }},
-    {"axes negated to (-x, -y, z)", false,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {-v.x, -v.y, v.z};
-     }},
-    {"axes negated to (x, -y, -z)", false,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.x, -v.y, -v.z};
-     }},
-    {"axes swapped to (y, x, z)", true,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.y, v.x, v.z};
-     }},
-    {"axes negated to (x, y, -z)", true,
-     [](const scene::Vector3& v) -> scene::Vector3 {
-       return {v.x, v.y, -v.z};
-     }},
+    {"axes permuted to (y, z, x)", {2, 3, 1}},
+    {"axes negated to (-x, -y, z)", {-1, -2, 3}},
+    {"axes negated to (x, -y, -z)", {1, -2, -3}},
+    {"axes swapped to (y, x, z)", {2, 1, 3}, true},
+    {"axes negated to (x, y, -z)", {1, 2, -3}, true},
 };
 
 Scene rotated(Scene scene, const AxesMap& map) {
-  const auto rotate_point = [&](scene::Point3& p) {
-    const scene::Vector3 v = map.apply({p.x, p.y, p.z});
+  const auto rotate_point = [&](Point3& p) {
+    const Vector3 v = map({p.x, p.y, p.z});
     p = {v.x, v.y, v.z};
   };
   if (scene.camera) {
     rotate_point(scene.camera->eye);
     rotate_point(scene.camera->look_at);
-    scene.camera->up = map.apply(scene.camera->up);
+    scene.camera->up = map(scene.camera->up);
   }
-  for (scene::Ray& ray : scene.rays) {
+  for (Ray& ray : scene.rays) {
     rotate_point(ray.origin);
-    ray.direction = map.apply(ray.direction);
+    ray.direction = map(ray.direction);
   }
-  for (scene::Sphere& sphere : scene.spheres) rotate_point(sphere.centre);
+  for (Sphere& sphere : scene.spheres) rotate_point(sphere.centre);
   return scene;
 }
 
@@ -296,12 +289,12 @@ void judge_axes(Trial& trial, Verdict& verdict) {
   if (!nothing.empty()) return verdict.leave_out(std::string(nothing));
   for (const AxesMap& map : kAxesMaps) {
     if (map.is_mirror && trial.scene().camera) continue;
-    compare(trial, verdict, rotated(trial.scene(), map), {map.what, map.apply});
+    compare(trial, verdict, rotated(trial.scene(), map), {map.what, map});
   }
 }
 
 /// a + b, if the sum is a number of the format.
-std::optional<double> exact_sum(double a, double b, scene::Precision precision) {
+std::optional<double> exact_sum(double a, double b, Precision precision) {
   const double sum = a + b;
   const double b_part = sum - a;
   const double error = (a - (sum - b_part)) + (b - b_part);
@@ -311,7 +304,7 @@ std::optional<double> exact_sum(double a, double b, scene::Precision precision) 
 
 /// a + k b, if k b does not round and the sum is a number of the format.
 template <class To, class A, class B>
-std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precision precision) {
+std::optional<To> exact_sum_of(const A& a, const B& b, double k, Precision precision) {
   const auto sum = [&](double from_a, double from_b) {
     return k * from_b / k == from_b ? exact_sum(from_a, k * from_b, precision) : std::nullopt;
   };
@@ -320,7 +313,7 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precisio
 }
 
 /// Compares the candidate's frames of two cameras with the same axes.
-void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_camera,
+void compare_frames(Trial& trial, Verdict& verdict, const Camera& other_camera,
                     const std::string& what) {
   if (!scene::defects(other_camera).empty()) return;
   const FrameAnswer other = trial.candidate().frame(other_camera);
@@ -332,7 +325,7 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
         {Quantity::kInvariance, Place{}, reference::relative_error(got, expected),
          2 * trial.bound(Quantity::kFrame)},
         [&] {
-          const reference::ExactCamera exact_other(other_camera, trial.conventions());
+          const ExactCamera exact_other(other_camera, trial.conventions());
           return std::max(reference::condition_of_frame(trial.exact_camera()),
                           reference::condition_of_frame(exact_other));
         },
@@ -350,30 +343,29 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
 
 /// Adds multiples of E - A to look-at or `up`, if that needs no rounding. The axes do not change.
 template <class Moved>
-void judge_moved(Trial& trial, Verdict& verdict, Moved scene::Camera::*member,
+void judge_moved(Trial& trial, Verdict& verdict, Moved Camera::*member,
                  std::initializer_list<double> multiples, const char* what) {
-  const scene::Camera& camera = *trial.scene().camera;
-  const auto along =
-      exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, -1, trial.precision());
+  const Camera& camera = *trial.scene().camera;
+  const auto along = exact_sum_of<Vector3>(camera.eye, camera.look_at, -1, trial.precision());
   for (const double multiple : multiples) {
     if (!along) return;
     const auto moved = exact_sum_of<Moved>(camera.*member, *along, multiple, trial.precision());
     if (!moved) continue;
-    scene::Camera other = camera;
+    Camera other = camera;
     other.*member = *moved;
     compare_frames(trial, verdict, other, what);
   }
 }
 
 void judge_look_at(Trial& trial, Verdict& verdict) {
-  judge_moved(trial, verdict, &scene::Camera::look_at, {0.5, -1, -2, -8},
+  judge_moved(trial, verdict, &Camera::look_at, {0.5, -1, -2, -8},
               "look-at moved along the view axis");
   if (verdict.compared() == 0)
     verdict.leave_out("each point A + k (A - E) that was tried would be rounded");
 }
 
 void judge_up(Trial& trial, Verdict& verdict) {
-  judge_moved(trial, verdict, &scene::Camera::up, {-1, 0.5, 1, 4}, "up + k (E - A)");
+  judge_moved(trial, verdict, &Camera::up, {-1, 0.5, 1, 4}, "up + k (E - A)");
   if (verdict.compared() == 0)
     verdict.leave_out("each vector up + k (E - A) that was tried would be rounded");
 }
@@ -388,13 +380,13 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
         "with t_min, t_max or culling, the roots of a grown sphere may no longer count");
   }
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
-    const scene::Precision precision = trial.precision();
+    const Sphere& the_sphere = trial.scene().spheres[sphere];
+    const Precision precision = trial.precision();
     for (const double radius : {scene::next_after(precision, the_sphere.radius, HUGE_VAL),
                                 scene::rounded_to(precision, 1.5 * the_sphere.radius),
                                 scene::rounded_to(precision, 4 * the_sphere.radius)}) {
       if (!(radius > the_sphere.radius) || !std::isfinite(radius)) continue;
-      const scene::Sphere grown_sphere{the_sphere.centre, radius};
+      const Sphere grown_sphere{the_sphere.centre, radius};
       const auto grown = trial.intersect(trial.rays(), {grown_sphere}, trial.conventions());
       for (const RayHit& before : trial.hits(sphere)) {
         const std::size_t k = before.ray;
@@ -403,7 +395,7 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
             {Quantity::kClass, Expected::kHit, trial.place(k, sphere),
              find_hit(grown.front(), k) != nullptr ? Wrong::kNot : Wrong::kMissed},
             [&] {
-              const reference::ExactRay& ray = trial.exact_ray(k);
+              const ExactRay& ray = trial.exact_ray(k);
               return trial.excuse(
                   {answer_of(ray, the_sphere, &before.hit), answer_of(ray, grown_sphere, nullptr)});
             },
@@ -484,44 +476,19 @@ void judge_exchange(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kMetamorphicLawTable[] = {
-    {.name = "scaling",
-     .sentence = "scaling every length by 2^k scales every answer",
-     .per = Per::kRay,
-     .needs = Needs::kRays,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_scaling},
-    {.name = "axes",
-     .sentence = "permuting or negating the axes permutes or negates every answer",
-     .per = Per::kRay,
-     .needs = Needs::kRays,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_axes},
-    {.name = "look-at",
-     .sentence = "moving look-at along the view axis does not change the frame",
-     .per = Per::kScene,
-     .needs = Needs::kFrame,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_look_at},
-    {.name = "up",
-     .sentence = "adding a multiple of W to up does not change the frame",
-     .per = Per::kScene,
-     .needs = Needs::kFrame,
-     .quantity = Quantity::kInvariance,
-     .judge = judge_up},
-    {.name = "growing-radius",
-     .sentence = "growing r never turns a hit into a miss",
-     .per = Per::kPair,
-     .needs = kOfHits | Needs::kRays,
-     .quantity = Quantity::kClass,
-     .stage = Stage::kIntersection,
-     .judge = judge_growing_radius},
-    {.name = "exchange",
-     .sentence = "exchanging the ends of a segment turns no hit into a miss",
-     .per = Per::kPair,
-     .needs = kOfHits | Needs::kRays,
-     .quantity = Quantity::kClass,
-     .stage = Stage::kIntersection,
-     .judge = judge_exchange},
+    {"scaling", "scaling every length by 2^k scales every answer", Per::kRay, Needs::kRays,
+     Quantity::kInvariance, judge_scaling},
+    {"axes", "permuting or negating the axes permutes or negates every answer", Per::kRay,
+     Needs::kRays, Quantity::kInvariance, judge_axes},
+    {"look-at", "moving look-at along the view axis does not change the frame", Per::kScene,
+     Needs::kFrame, Quantity::kInvariance, judge_look_at},
+    {"up", "adding a multiple of W to up does not change the frame", Per::kScene, Needs::kFrame,
+     Quantity::kInvariance, judge_up},
+    {"growing-radius", "growing r never turns a hit into a miss", Per::kPair,
+     kOfHits | Needs::kRays, Quantity::kClass, judge_growing_radius, kRelations,
+     Stage::kIntersection},
+    {"exchange", "exchanging the ends of a segment turns no hit into a miss", Per::kPair,
+     kOfHits | Needs::kRays, Quantity::kClass, judge_exchange, kRelations, Stage::kIntersection},
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <cstdint>
 #include <limits>
-#include <stdexcept>
 
 #include "properties/laws/law_list.h"
 #include "properties/sphere_choice.h"
@@ -10,17 +10,13 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::Enclosure;
-using reference::ExactRay;
-using reference::NearestSphere;
-
 constexpr int kDistanceBits = 256;
 
 /// The pixels of the case, and others spread over the image.
-std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
+std::vector<Pixel> with_spread_pixels(const Trial& trial) {
   constexpr std::int64_t kMost = 4;
-  std::vector<scene::Pixel> pixels = trial.pixels();
-  const scene::Camera& camera = *trial.scene().camera;
+  std::vector<Pixel> pixels = trial.pixels();
+  const Camera& camera = *trial.scene().camera;
   const std::int64_t columns = std::min(camera.width, kMost);
   const std::int64_t rows = std::min(camera.height, kMost);
   for (std::int64_t j = 0; j < rows; ++j) {
@@ -33,8 +29,7 @@ std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
 }
 
 void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
-  const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
-                                            trial.scene().spheres.rend());
+  const std::vector<Sphere> reversed(trial.scene().spheres.rbegin(), trial.scene().spheres.rend());
   const auto backwards = trial.rank(trial.rays(), reversed);
   const SpheresMet met = spheres_met(trial);
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
@@ -56,24 +51,20 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// The distance of a hit from the eye.
-Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Origin origin) {
-  return origin == scene::Origin::kFocal ? s : s + ray.enclose(kDistanceBits).length();
-}
-
 /// Judges s of a ray if its sphere is the exact one.
 void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got) {
   const ExactRay& ray = trial.exact_ray(k);
   const NearestSphere& exact = *trial.exact_nearest()[k];
-  const scene::Sphere& sphere = trial.scene().spheres[exact.index];
+  const Sphere& sphere = trial.scene().spheres[exact.index];
   const Enclosure s = ray.parameter(sphere, exact.intersection);
   const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
   const Enclosure error = abs(Enclosure(got, kDistanceBits) - s) - least;
-  const Enclosure distance = distance_from_eye(ray, s, trial.conventions().origin);
+  const bool is_from_eye = trial.conventions().origin == scene::Origin::kFocal;
+  const Enclosure distance = is_from_eye ? s : s + ray.enclose(kDistanceBits).length();
   scene::Measured relative;
   if (error.certain_sign().value_or(1) > 0) {
     relative = distance.contains_zero() ? scene::Measured{std::numeric_limits<double>::infinity()}
-                                        : reference::in_units_of_u(error / distance);
+                                        : in_units_of_u(error / distance);
   }
   trial.measure(
       verdict,
@@ -110,22 +101,52 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
   }
 }
 
+bool is_within_threshold(Trial& trial, std::size_t ray, double threshold) {
+  const auto& exact = trial.exact_nearest()[ray];
+  return threshold > 0 && exact &&
+         trial.exact_ray(ray).rounded_parameter(trial.scene().spheres[exact->index],
+                                                exact->intersection) <= threshold;
+}
+
+Excuse excuse_of(Trial& trial, const Choice& choice) {
+  const Candidate& candidate = trial.candidate();
+  if (is_within_threshold(trial, choice.ray, candidate.image_threshold)) {
+    return {ExcuseKind::kThreshold, candidate.image_threshold};
+  }
+  return excuse(trial, choice.ray, choice.got, candidate.excused_image_change);
+}
+
+void judge_image(Trial& trial, Verdict& verdict) {
+  const Candidate& candidate = trial.candidate();
+  const Camera& camera = *trial.scene().camera;
+  const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
+  const std::int64_t width = camera.width;
+  if (image.size() != static_cast<std::size_t>(width * camera.height)) {
+    throw CandidateFailed("image() returned too few or too many pixels");
+  }
+  const SpheresMet met = spheres_met(trial);
+  std::size_t unidentified = 0;
+  for (std::size_t k = 0; k < trial.ray_count(); ++k) {
+    if (met.is_unjudged[k]) continue;
+    const Pixel& pixel = trial.pixels()[k];
+    const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
+                        trial.exact_nearest()[k], "in the picture"};
+    unidentified += choice.got == kSomeSphere && choice.exact ? 1 : 0;
+    judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
+  }
+  if (unidentified > 0) {
+    verdict.leave_out("pixels whose colour is not that of a sphere are judged only as hit or miss");
+  }
+}
+
 constexpr Law kNearestSphereLawTable[] = {
-    {.name = "nearest-sphere",
-     .sentence = "the nearest sphere wins, whatever the order in the file",
-     .per = Per::kRay,
-     .needs = Needs::kNearest | Needs::kSpheres | Needs::kRays | Needs::kSeveralSpheres,
-     .quantity = Quantity::kNearestSphere,
-     .judges_values = true,
-     .stage = Stage::kIntersection,
-     .tells_stability = true,
-     .judge = judge_nearest_sphere},
-    {.name = "visible-sphere",
-     .sentence = "every pixel shows the nearest sphere of its ray, under every plan",
-     .per = Per::kRay,
-     .needs = Needs::kVisible | Needs::kSpheres,
-     .quantity = Quantity::kNearestSphere,
-     .judge = judge_visible_sphere},
+    {"nearest-sphere", "the nearest sphere wins, whatever the order in the file", Per::kRay,
+     Needs::kNearest | Needs::kSpheres | Needs::kRays | Needs::kSeveralSpheres,
+     Quantity::kNearestSphere, judge_nearest_sphere, kValues, Stage::kIntersection, kStability},
+    {"visible-sphere", "every pixel shows the nearest sphere of its ray, under every plan",
+     Per::kRay, Needs::kVisible | Needs::kSpheres, Quantity::kNearestSphere, judge_visible_sphere},
+    {"image", "every pixel of an image shows the sphere that its ray meets first", Per::kImage,
+     Needs::kImage | Needs::kSpheres, Quantity::kNearestSphere, judge_image, kValues},
 };
 
 }  // namespace

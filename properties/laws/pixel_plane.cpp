@@ -13,12 +13,6 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::Enclosure;
-using reference::Enclosure3;
-using reference::ExactRay;
-using scene::Pixel;
-using scene::Point3;
-
 constexpr scene::Measured kInfiniteError = {std::numeric_limits<double>::infinity()};
 constexpr int kBits = 256;
 
@@ -30,12 +24,11 @@ std::string name(const Pixel& pixel) {
 /// one with the same axes.
 class PlaneAnswers {
  public:
-  PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
+  PlaneAnswers(Trial& trial, const Camera& camera, std::vector<Pixel> pixels)
       : trial_(trial),
         frame_(trial.exact_frame()),
-        camera_(&camera == &*trial.scene().camera
-                    ? trial.exact_camera()
-                    : reference::ExactCamera(camera, trial.conventions())),
+        camera_(&camera == &*trial.scene().camera ? trial.exact_camera()
+                                                  : ExactCamera(camera, trial.conventions())),
         pixels_(std::move(pixels)),
         points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
     if (points_.size() != pixels_.size())
@@ -45,14 +38,13 @@ class PlaneAnswers {
   std::size_t size() const { return pixels_.size(); }
   const Pixel& pixel(std::size_t k) const { return pixels_[k]; }
   const Point3& point(std::size_t k) const { return points_[k]; }
-  const reference::ExactCamera& camera() const { return camera_; }
+  const ExactCamera& camera() const { return camera_; }
   ExactRay ray(std::size_t k) const { return {camera_, pixels_[k]}; }
   Enclosure size_of_point(std::size_t k) const { return norm(ray(k).pixel_point()); }
 
   /// (P - E).U, (P - E).V, (P - E).W of the candidate's point.
   Enclosure3 position(std::size_t k) const {
-    const Enclosure3 from_eye =
-        reference::enclose_exactly(points_[k]) - reference::enclose_exactly(camera_.camera().eye);
+    const Enclosure3 from_eye = enclose_exactly(points_[k]) - enclose_exactly(camera_.camera().eye);
     return {dot(from_eye, frame_.U), dot(from_eye, frame_.V), dot(from_eye, frame_.W)};
   }
   /// alpha, beta, n of the exact point.
@@ -67,15 +59,26 @@ class PlaneAnswers {
     }
     return worst;
   }
-  /// `what` returns the text of a discrepancy.
+  /// Measures an error at a pixel, with the condition number of all the pixel points. `what`
+  /// returns the text of a discrepancy.
   template <class What>
   void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,
-               const What& what) const;
+               const What& what) const {
+    Place place;
+    place.pixel = pixels_[k];
+    trial_.measure(
+        verdict, {Quantity::kPixelPoint, place, error, bound}, [this] { return worst_condition(); },
+        [&](Discrepancy& d) {
+          d.what = what();
+          d.got = numbers(points_[k]);
+          d.exact = numbers(ray(k).rounded_pixel_point(trial_.precision()));
+        });
+  }
 
  private:
   const Trial& trial_;
   const reference::EnclosedFrame& frame_;
-  reference::ExactCamera camera_;
+  ExactCamera camera_;
   std::vector<Pixel> pixels_;
   std::vector<Point3> points_;
 };
@@ -83,7 +86,7 @@ class PlaneAnswers {
 /// |error| / size; an exact 0 is right for any size.
 scene::Measured relative(const Enclosure& error, const Enclosure& size) {
   if (error.certain_sign() == 0) return {0};
-  return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
+  return size.contains_zero() ? kInfiniteError : in_units_of_u(error / size);
 }
 
 /// Whether positions at these distances differ by much more than the largest allowed errors, so
@@ -101,22 +104,7 @@ bool are_separated(const Trial& trial, const PlaneAnswers& answers, const Enclos
   return is_apart(across) && is_apart(down);
 }
 
-/// Measures an error at a pixel, with the condition number of all the pixel points.
-template <class What>
-void PlaneAnswers::measure(Verdict& verdict, std::size_t k, const scene::Measured& error,
-                           double bound, const What& what) const {
-  Place place;
-  place.pixel = pixels_[k];
-  trial_.measure(
-      verdict, {Quantity::kPixelPoint, place, error, bound}, [this] { return worst_condition(); },
-      [&](Discrepancy& d) {
-        d.what = what();
-        d.got = numbers(points_[k]);
-        d.exact = numbers(ray(k).rounded_pixel_point(trial_.precision()));
-      });
-}
-
-std::vector<Pixel> corners(const scene::Camera& camera) {
+std::vector<Pixel> corners(const Camera& camera) {
   std::vector<Pixel> result;
   for (const std::int64_t j : {std::int64_t{0}, camera.height - 1}) {
     for (const std::int64_t i : {std::int64_t{0}, camera.width - 1}) {
@@ -135,10 +123,7 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
         verdict,
         {Quantity::kPixelPoint, trial.place(k), reference::pixel_point_error(ray, points[k])},
         [&] { return reference::condition_of_pixel_point(ray); },
-        [&](Discrepancy& d) {
-          d.got = numbers(points[k]);
-          d.exact = numbers(ray.rounded_pixel_point(trial.precision()));
-        });
+        shown(points[k], [&] { return ray.rounded_pixel_point(trial.precision()); }));
   }
 }
 
@@ -164,7 +149,7 @@ SignedAxis signed_axis(const Enclosure3& v) {
 /// without rounding.
 void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& answers,
                          std::size_t k) {
-  const scene::Camera& camera = answers.camera().camera();
+  const Camera& camera = answers.camera().camera();
   if (camera.eye != Point3{} || trial.conventions().samples != scene::Samples::kEdges) return;
   const auto frame = answers.camera().frame();
   const bool bottom_first = trial.conventions().rows == scene::Rows::kBottomFirst;
@@ -197,7 +182,7 @@ void judge_bounds(Trial& trial, Verdict& verdict) {
 }
 
 void judge_image_plane(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   for (const Pixel& pixel : trial.pixels()) {
     std::vector<Pixel> here_and_next = {pixel};
     if (pixel.i + 1 < camera.width) here_and_next.push_back({pixel.i + 1, pixel.j});
@@ -217,7 +202,7 @@ void judge_image_plane(Trial& trial, Verdict& verdict) {
 }
 
 void judge_centre_pixel(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   const auto last = [&](std::int64_t count) {
     return static_cast<std::int64_t>(
         scene::pixel_steps(trial.conventions().samples, count).turned());
@@ -238,7 +223,7 @@ void judge_centre_pixel(Trial& trial, Verdict& verdict) {
 }
 
 void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   if (camera.width < 2 || camera.height < 2) {
     return verdict.leave_out("an image of one row or column has no distinct corners");
   }
@@ -263,14 +248,14 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   if (trial.conventions().samples != scene::Samples::kEdges) {
     return verdict.leave_out("samples at pixel centres or corners lie elsewhere in a denser image");
   }
   if (std::max(camera.width, camera.height) > scene::kMostPixelsAcross / 2) {
     return verdict.leave_out("an image of twice the density would be too large");
   }
-  scene::Camera denser = camera;
+  Camera denser = camera;
   denser.width = 2 * camera.width - 1;
   denser.height = 2 * camera.height - 1;
   std::vector<Pixel> pixels = corners(camera);
@@ -280,9 +265,8 @@ void judge_density(Trial& trial, Verdict& verdict) {
   const PlaneAnswers sparse(trial, camera, pixels);
   const PlaneAnswers dense(trial, denser, same_places);
   for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const Enclosure3 moved =
-        reference::enclose_exactly(dense.point(k)) - reference::enclose_exactly(sparse.point(k));
-    const bool is_same = dense.point(k) - sparse.point(k) == scene::Vector3{};
+    const Enclosure3 moved = enclose_exactly(dense.point(k)) - enclose_exactly(sparse.point(k));
+    const bool is_same = dense.point(k) - sparse.point(k) == Vector3{};
     const scene::Measured error =
         is_same ? scene::Measured{} : relative(norm(moved), sparse.size_of_point(k));
     sparse.measure(verdict, k, error, 2 * trial.bound(Quantity::kPixelPoint),
@@ -291,14 +275,13 @@ void judge_density(Trial& trial, Verdict& verdict) {
 }
 
 void judge_square_pixels(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
+  const Camera& camera = *trial.scene().camera;
   if (camera.width < 2 || camera.height < 2) {
     return verdict.leave_out("an image of one row or column has only one spacing");
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {1, 0}, {0, 1}});
   const auto step = [&](std::size_t k) {
-    return norm(reference::enclose_exactly(answers.point(k)) -
-                reference::enclose_exactly(answers.point(0)));
+    return norm(enclose_exactly(answers.point(k)) - enclose_exactly(answers.point(0)));
   };
   const Enclosure3 origin = answers.exact_position(0);
   const Enclosure across = abs(answers.exact_position(1).x - origin.x);
@@ -309,9 +292,8 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   // The error is got ratio / exact ratio - 1. Pixels are square if the exact ratio is 1.
   const Enclosure got_down = step(2);
   const scene::Measured error =
-      got_down.contains_zero()
-          ? kInfiniteError
-          : reference::in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
+      got_down.contains_zero() ? kInfiniteError
+                               : in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
   Place place;
   place.pixel = Pixel{0, 0};
   trial.measure(
@@ -330,39 +312,21 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
       });
 }
 
-/// A law that relates pixel points to the camera or to each other.
-constexpr Law of_points(std::string_view name, std::string_view sentence, Per per,
-                        void (*judge)(Trial&, Verdict&)) {
-  return {.name = name,
-          .sentence = sentence,
-          .per = per,
-          .needs = Needs::kPixelPoints,
-          .quantity = Quantity::kPixelPoint,
-          .judge = judge};
-}
-
 constexpr Law kPixelPlaneLawTable[] = {
-    {.name = "pixel-point",
-     .sentence = "pixel points are E + nW + alpha U + beta V",
-     .per = Per::kRay,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judges_values = true,
-     .stage = Stage::kRays,
-     .tells_stability = true,
-     .judge = judge_pixel_point},
-    of_points("bounds", "first and last pixels lie at left and right, bottom and top", Per::kScene,
-              judge_bounds),
-    of_points("image-plane", "pixels lie in the image plane, evenly spaced", Per::kRay,
-              judge_image_plane),
-    of_points("centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
-              Per::kScene, judge_centre_pixel),
-    of_points("pixel-zero-zero", "pixel (0, 0) is at the corner that the row order names",
-              Per::kScene, judge_pixel_zero_zero),
-    of_points("density", "pixel density does not change the field of view", Per::kRay,
-              judge_density),
-    of_points("square-pixels", "the ratio of the spacings of columns and rows is the exact one",
-              Per::kScene, judge_square_pixels),
+    {"pixel-point", "pixel points are E + nW + alpha U + beta V", Per::kRay, Needs::kPixelPoints,
+     Quantity::kPixelPoint, judge_pixel_point, kValues, Stage::kRays, kStability},
+    {"bounds", "first and last pixels lie at left and right, bottom and top", Per::kScene,
+     Needs::kPixelPoints, Quantity::kPixelPoint, judge_bounds},
+    {"image-plane", "pixels lie in the image plane, evenly spaced", Per::kRay, Needs::kPixelPoints,
+     Quantity::kPixelPoint, judge_image_plane},
+    {"centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
+     Per::kScene, Needs::kPixelPoints, Quantity::kPixelPoint, judge_centre_pixel},
+    {"pixel-zero-zero", "pixel (0, 0) is at the corner that the row order names", Per::kScene,
+     Needs::kPixelPoints, Quantity::kPixelPoint, judge_pixel_zero_zero},
+    {"density", "pixel density does not change the field of view", Per::kRay, Needs::kPixelPoints,
+     Quantity::kPixelPoint, judge_density},
+    {"square-pixels", "the ratio of the spacings of columns and rows is the exact one", Per::kScene,
+     Needs::kPixelPoints, Quantity::kPixelPoint, judge_square_pixels},
 };
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include "scene/plan/plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,13 +12,8 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::ExactCamera;
-using reference::ExactRay;
-using reference::HitClass;
-using reference::Intersection;
 using scene::Bounds;
 using scene::LeftOut;
-using scene::Pixel;
 using scene::PixelRectangle;
 using scene::SpherePlan;
 using scene::Wanted;
@@ -37,32 +30,6 @@ struct PlanStatement {
   std::size_t sphere;
 
   const scene::SpherePlan& planned() const { return plan->spheres[sphere]; }
-};
-
-/// The plans of a candidate for one scene, for every purpose (scene::Wanted). They determine for
-/// which pixels the truth is computed, but do not change it.
-/// Domain: a scene with a camera, a candidate that plans.
-class PlanStatements {
- public:
-  explicit PlanStatements(Trial& trial);
-
-  PixelRectangle image() const { return {0, camera_.width, 0, camera_.height}; }
-
-  /// The distinct statements about each sphere.
-  std::vector<PlanStatement> distinct() const;
-
-  /// Pixels in a sphere's rectangle if a plan has one, otherwise in the image; and all pixels of
-  /// the case.
-  std::vector<scene::Pixel> inside(const PlanStatement& statement) const;
-
-  /// Pixels of the image just outside a sphere's rectangle, also next to the points where the
-  /// silhouette touches it; and the pixels of the case that are outside the rectangle.
-  std::vector<scene::Pixel> outside(const PlanStatement& statement) const;
-
- private:
-  const std::vector<scene::Pixel>& pixels_;
-  const scene::Camera& camera_;
-  const std::vector<scene::ScenePlan>& plans_;
 };
 
 /// Whole numbers in [begin, end), spread evenly, including the first and the last.
@@ -83,8 +50,8 @@ void add_if_inside(const PixelRectangle& where, const Pixel& pixel, std::vector<
 double middle(const Bounds& x) { return x.low + (x.high - x.low) / 2; }
 
 /// Adds the pixel, in or next to the image, at which a direction through the eye points.
-void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
-                    const scene::Vector3& along, std::vector<Pixel>& pixels) {
+void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image, const Vector3& along,
+                    std::vector<Pixel>& pixels) {
   if (!(along.z > 0)) return;
   const double scale = std::abs(middle(eye.near())) / along.z;
   const double i = middle(eye.column(Bounds::exactly(along.x * scale)));
@@ -125,72 +92,90 @@ bool is_same(const SpherePlan& a, const SpherePlan& b) {
          a.origin_inside == b.origin_inside && a.reaches_behind == b.reaches_behind;
 }
 
-PlanStatements::PlanStatements(Trial& trial)
-    : pixels_(trial.pixels()), camera_(*trial.scene().camera), plans_(trial.plans()) {}
+/// The plans of a candidate for one scene, for every purpose (scene::Wanted). They determine for
+/// which pixels the truth is computed, but do not change it.
+/// Domain: a scene with a camera, a candidate that plans.
+class PlanStatements {
+ public:
+  explicit PlanStatements(Trial& trial)
+      : pixels_(trial.pixels()), camera_(*trial.scene().camera), plans_(trial.plans()) {}
 
-std::vector<PlanStatement> PlanStatements::distinct() const {
-  std::vector<PlanStatement> result;
-  for (std::size_t sphere = 0; sphere < plans_.front().spheres.size(); ++sphere) {
-    const auto first = static_cast<std::ptrdiff_t>(result.size());
-    for (std::size_t k = 0; k < plans_.size(); ++k) {
-      const PlanStatement next{scene::kEveryWanted[k], &plans_[k], sphere};
-      if (std::none_of(result.begin() + first, result.end(), [&](const PlanStatement& known) {
-            return is_same(known.planned(), next.planned());
-          })) {
-        result.push_back(next);
+  PixelRectangle image() const { return {0, camera_.width, 0, camera_.height}; }
+
+  /// The distinct statements about each sphere.
+  std::vector<PlanStatement> distinct() const {
+    std::vector<PlanStatement> result;
+    for (std::size_t sphere = 0; sphere < plans_.front().spheres.size(); ++sphere) {
+      const auto first = static_cast<std::ptrdiff_t>(result.size());
+      for (std::size_t k = 0; k < plans_.size(); ++k) {
+        const PlanStatement next{scene::kEveryWanted[k], &plans_[k], sphere};
+        if (std::none_of(result.begin() + first, result.end(), [&](const PlanStatement& known) {
+              return is_same(known.planned(), next.planned());
+            })) {
+          result.push_back(next);
+        }
       }
     }
+    return result;
   }
-  return result;
-}
 
-std::vector<Pixel> PlanStatements::inside(const PlanStatement& statement) const {
-  PixelRectangle where = image();
-  for (const scene::ScenePlan& plan : plans_) {
-    const PixelRectangle& pixels = plan.spheres[statement.sphere].pixels;
-    if (!pixels.empty() && image().contains(pixels)) where = pixels;
-  }
-  std::vector<Pixel> result = pixels_;
-  for (const std::int64_t j : spread(where.j_begin, where.j_end, kMostInside)) {
-    for (const std::int64_t i : spread(where.i_begin, where.i_end, kMostInside)) {
-      result.push_back({i, j});
+  /// Pixels in a sphere's rectangle if a plan has one, otherwise in the image; and all pixels of
+  /// the case.
+  std::vector<Pixel> inside(const PlanStatement& statement) const {
+    PixelRectangle where = image();
+    for (const scene::ScenePlan& plan : plans_) {
+      const PixelRectangle& pixels = plan.spheres[statement.sphere].pixels;
+      if (!pixels.empty() && image().contains(pixels)) where = pixels;
     }
-  }
-  for (const Pixel& pixel : touched(statement, image())) {
-    for (const std::int64_t j : {pixel.j - 1, pixel.j, pixel.j + 1}) {
-      for (const std::int64_t i : {pixel.i - 1, pixel.i, pixel.i + 1}) {
-        add_if_inside(where, {i, j}, result);
+    std::vector<Pixel> result = pixels_;
+    for (const std::int64_t j : spread(where.j_begin, where.j_end, kMostInside)) {
+      for (const std::int64_t i : spread(where.i_begin, where.i_end, kMostInside)) {
+        result.push_back({i, j});
       }
     }
-  }
-  return result;
-}
-
-std::vector<Pixel> PlanStatements::outside(const PlanStatement& statement) const {
-  const PixelRectangle& inner = statement.planned().pixels;
-  if (inner.empty()) return inside(statement);
-  std::vector<Pixel> result;
-  for (const Pixel& pixel : pixels_) {
-    if (!inner.contains(pixel)) result.push_back(pixel);
-  }
-  std::vector<std::int64_t> columns = spread(inner.i_begin - 1, inner.i_end + 1, kMostOfBorder);
-  std::vector<std::int64_t> rows = spread(inner.j_begin - 1, inner.j_end + 1, kMostOfBorder);
-  for (const Pixel& pixel : touched(statement, image())) {
-    for (const int step : {-1, 0, 1}) {
-      columns.push_back(std::clamp(pixel.i + step, inner.i_begin - 1, inner.i_end));
-      rows.push_back(std::clamp(pixel.j + step, inner.j_begin - 1, inner.j_end));
+    for (const Pixel& pixel : touched(statement, image())) {
+      for (const std::int64_t j : {pixel.j - 1, pixel.j, pixel.j + 1}) {
+        for (const std::int64_t i : {pixel.i - 1, pixel.i, pixel.i + 1}) {
+          add_if_inside(where, {i, j}, result);
+        }
+      }
     }
+    return result;
   }
-  for (const std::int64_t i : columns) {
-    add_if_inside(image(), {i, inner.j_begin - 1}, result);
-    add_if_inside(image(), {i, inner.j_end}, result);
+
+  /// Pixels of the image just outside a sphere's rectangle, also next to the points where the
+  /// silhouette touches it; and the pixels of the case that are outside the rectangle.
+  std::vector<Pixel> outside(const PlanStatement& statement) const {
+    const PixelRectangle& inner = statement.planned().pixels;
+    if (inner.empty()) return inside(statement);
+    std::vector<Pixel> result;
+    for (const Pixel& pixel : pixels_) {
+      if (!inner.contains(pixel)) result.push_back(pixel);
+    }
+    std::vector<std::int64_t> columns = spread(inner.i_begin - 1, inner.i_end + 1, kMostOfBorder);
+    std::vector<std::int64_t> rows = spread(inner.j_begin - 1, inner.j_end + 1, kMostOfBorder);
+    for (const Pixel& pixel : touched(statement, image())) {
+      for (const int step : {-1, 0, 1}) {
+        columns.push_back(std::clamp(pixel.i + step, inner.i_begin - 1, inner.i_end));
+        rows.push_back(std::clamp(pixel.j + step, inner.j_begin - 1, inner.j_end));
+      }
+    }
+    for (const std::int64_t i : columns) {
+      add_if_inside(image(), {i, inner.j_begin - 1}, result);
+      add_if_inside(image(), {i, inner.j_end}, result);
+    }
+    for (const std::int64_t j : rows) {
+      add_if_inside(image(), {inner.i_begin - 1, j}, result);
+      add_if_inside(image(), {inner.i_end, j}, result);
+    }
+    return result;
   }
-  for (const std::int64_t j : rows) {
-    add_if_inside(image(), {inner.i_begin - 1, j}, result);
-    add_if_inside(image(), {inner.i_end, j}, result);
-  }
-  return result;
-}
+
+ private:
+  const std::vector<Pixel>& pixels_;
+  const Camera& camera_;
+  const std::vector<scene::ScenePlan>& plans_;
+};
 
 /// A sphere at a pixel about which a plan makes a statement.
 struct SaidOf {
@@ -223,7 +208,7 @@ std::string for_what(const PlanStatement& statement) {
 /// earlier in the file.
 bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std::size_t by) {
   const auto& spheres = trial.scene().spheres;
-  const scene::Conventions& conventions = trial.conventions();
+  const Conventions& conventions = trial.conventions();
   const Intersection at = ray.intersect(spheres[sphere], conventions.root);
   if (!reference::counts_as_hit(at.hit_class, conventions.tangent)) return true;
   const Intersection at_by = ray.intersect(spheres[by], conventions.root);
@@ -289,21 +274,21 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
 /// the whole line.
 class BothWays {
  public:
-  BothWays(const scene::Camera& camera, const scene::Conventions& conventions)
+  BothWays(const Camera& camera, const Conventions& conventions)
       : forwards_(camera, from_eye(conventions)),
         backwards_(opposite(camera), from_eye(conventions)) {}
 
-  bool meets(const scene::Sphere& sphere, const Pixel& pixel) const {
+  bool meets(const Sphere& sphere, const Pixel& pixel) const {
     return ExactRay(forwards_, pixel).intersect(sphere).hit_class != HitClass::kMiss ||
            ExactRay(backwards_, pixel).intersect(sphere).hit_class != HitClass::kMiss;
   }
 
  private:
-  static scene::Conventions from_eye(scene::Conventions conventions) {
+  static Conventions from_eye(Conventions conventions) {
     conventions.origin = scene::Origin::kFocal;
     return conventions;
   }
-  static scene::Camera opposite(scene::Camera camera) {
+  static Camera opposite(Camera camera) {
     for (double* position :
          {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
       *position = -*position;
@@ -329,7 +314,7 @@ void judge_roots(Trial& trial, Verdict& verdict) {
       const bool is_hit = at.hit_class != HitClass::kMiss;
       if (is_hit) {
         judge(verdict, {trial, k, pixel}, Quantity::kRoot,
-              at.root == reference::WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
+              at.root == WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
               [&] { return planned.origin_inside ? "behind the origin" : "from inside"; });
       }
       if (!planned.reaches_behind) {
@@ -344,24 +329,12 @@ void judge_roots(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kPlanLawTable[] = {
-    {.name = "plan-left-out",
-     .sentence = "no ray meets a sphere that the plan leaves out",
-     .per = Per::kPair,
-     .needs = Needs::kPlan | Needs::kSpheres,
-     .quantity = Quantity::kClass,
-     .judge = judge_left_out},
-    {.name = "plan-rectangles",
-     .sentence = "every pixel outside a sphere's rectangle misses it",
-     .per = Per::kPair,
-     .needs = Needs::kPlan | Needs::kSpheres,
-     .quantity = Quantity::kClass,
-     .judge = judge_rectangles},
-    {.name = "plan-roots",
-     .sentence = "far roots and spheres behind the origin occur only where the plan says so",
-     .per = Per::kPair,
-     .needs = Needs::kPlan | Needs::kSpheres,
-     .quantity = Quantity::kRoot,
-     .judge = judge_roots},
+    {"plan-left-out", "no ray meets a sphere that the plan leaves out", Per::kPair,
+     Needs::kPlan | Needs::kSpheres, Quantity::kClass, judge_left_out},
+    {"plan-rectangles", "every pixel outside a sphere's rectangle misses it", Per::kPair,
+     Needs::kPlan | Needs::kSpheres, Quantity::kClass, judge_rectangles},
+    {"plan-roots", "far roots and spheres behind the origin occur only where the plan says so",
+     Per::kPair, Needs::kPlan | Needs::kSpheres, Quantity::kRoot, judge_roots},
 };
 
 }  // namespace

@@ -14,47 +14,44 @@ template <class Thing>
 struct Spoiling {
   const char* what;
   void (*spoil)(Thing&);
+  bool keeps_frame = false;  ///< Whether it affects only a camera's pixels, not its frame.
 };
 
-constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
-    {"eye is not a number", [](scene::Camera& c) { c.eye.x = kNaN; }},
-    {"look_at is infinite", [](scene::Camera& c) { c.look_at.y = kInfinite; }},
-    {"up is not a number", [](scene::Camera& c) { c.up.z = kNaN; }},
-    {"look_at equals eye", [](scene::Camera& c) { c.look_at = c.eye; }},
-    {"up is zero", [](scene::Camera& c) { c.up = {}; }},
+constexpr Spoiling<Camera> kCameraSpoilings[] = {
+    {"eye is not a number", [](Camera& c) { c.eye.x = kNaN; }},
+    {"look_at is infinite", [](Camera& c) { c.look_at.y = kInfinite; }},
+    {"up is not a number", [](Camera& c) { c.up.z = kNaN; }},
+    {"look_at equals eye", [](Camera& c) { c.look_at = c.eye; }},
+    {"up is zero", [](Camera& c) { c.up = {}; }},
     {"up is parallel to the view",
-     [](scene::Camera& c) {
+     [](Camera& c) {
        c.eye = {1, 2, 3};
        c.look_at = {2, 4, 6};
        c.up = {-3, -6, -9};
      }},
+    {"near is zero", [](Camera& c) { c.near = 0; }, true},
+    {"left is infinite", [](Camera& c) { c.left = -kInfinite; }, true},
+    {"right equals left", [](Camera& c) { c.right = c.left; }, true},
+    {"top equals bottom", [](Camera& c) { c.top = c.bottom; }, true},
+    {"near is not a number", [](Camera& c) { c.near = kNaN; }, true},
+    {"right is infinite", [](Camera& c) { c.right = kInfinite; }, true},
+    {"bottom is not a number", [](Camera& c) { c.bottom = kNaN; }, true},
+    {"top is infinite", [](Camera& c) { c.top = kInfinite; }, true},
+    {"width is zero", [](Camera& c) { c.width = 0; }, true},
+    {"height is negative", [](Camera& c) { c.height = -1; }, true},
 };
 
-/// Defects that affect only the pixels, not the frame.
-constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
-    {"near is zero", [](scene::Camera& c) { c.near = 0; }},
-    {"left is infinite", [](scene::Camera& c) { c.left = -kInfinite; }},
-    {"right equals left", [](scene::Camera& c) { c.right = c.left; }},
-    {"top equals bottom", [](scene::Camera& c) { c.top = c.bottom; }},
-    {"near is not a number", [](scene::Camera& c) { c.near = kNaN; }},
-    {"right is infinite", [](scene::Camera& c) { c.right = kInfinite; }},
-    {"bottom is not a number", [](scene::Camera& c) { c.bottom = kNaN; }},
-    {"top is infinite", [](scene::Camera& c) { c.top = kInfinite; }},
-    {"width is zero", [](scene::Camera& c) { c.width = 0; }},
-    {"height is negative", [](scene::Camera& c) { c.height = -1; }},
+constexpr Spoiling<Sphere> kSphereSpoilings[] = {
+    {"radius is negative", [](Sphere& s) { s.radius = -1; }},
+    {"radius is not a number", [](Sphere& s) { s.radius = kNaN; }},
+    {"radius is infinite", [](Sphere& s) { s.radius = kInfinite; }},
+    {"centre is infinite", [](Sphere& s) { s.centre.z = kInfinite; }},
 };
 
-constexpr Spoiling<scene::Sphere> kSphereSpoilings[] = {
-    {"radius is negative", [](scene::Sphere& s) { s.radius = -1; }},
-    {"radius is not a number", [](scene::Sphere& s) { s.radius = kNaN; }},
-    {"radius is infinite", [](scene::Sphere& s) { s.radius = kInfinite; }},
-    {"centre is infinite", [](scene::Sphere& s) { s.centre.z = kInfinite; }},
-};
-
-constexpr Spoiling<scene::Ray> kRaySpoilings[] = {
-    {"ray direction is zero", [](scene::Ray& r) { r.direction = {}; }},
-    {"ray origin is not a number", [](scene::Ray& r) { r.origin.x = kNaN; }},
-    {"ray direction is infinite", [](scene::Ray& r) { r.direction.y = kInfinite; }},
+constexpr Spoiling<Ray> kRaySpoilings[] = {
+    {"ray direction is zero", [](Ray& r) { r.direction = {}; }},
+    {"ray origin is not a number", [](Ray& r) { r.origin.x = kNaN; }},
+    {"ray direction is infinite", [](Ray& r) { r.direction.y = kInfinite; }},
 };
 
 /// Calls the function directly (as_is), because each rethrow of an exception takes time.
@@ -79,51 +76,42 @@ void expect_refusal(Trial& trial, Verdict& verdict, const char* what, const Ask&
 
 void spoil_cameras(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
-  const scene::Conventions& conventions = trial.conventions();
-  const std::vector<scene::Pixel> pixels = {{0, 0}};
-  const auto ask_pixels = [&](const scene::Camera& camera, const char* what) {
+  const Conventions& conventions = trial.conventions();
+  const std::vector<Pixel> pixels = {{0, 0}};
+  for (const auto& [what, spoil, keeps_frame] : kCameraSpoilings) {
+    Camera camera = *trial.scene().camera;
+    spoil(camera);
+    if (candidate.frame && !keeps_frame) {
+      expect_refusal(trial, verdict, what, [&] { candidate.frame.as_is(camera); });
+    }
     for (const auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
-      if (*make) {
-        expect_refusal(trial, verdict, what, [&] { make->as_is(camera, conventions, pixels); });
-      }
+      if (!*make) continue;
+      expect_refusal(trial, verdict, what, [&] { make->as_is(camera, conventions, pixels); });
     }
     if (candidate.pixel_points) {
       expect_refusal(trial, verdict, what,
                      [&] { candidate.pixel_points.as_is(camera, conventions, pixels); });
     }
-  };
-  for (const auto& spoiling : kCameraSpoilings) {
-    scene::Camera camera = *trial.scene().camera;
-    spoiling.spoil(camera);
-    if (candidate.frame) {
-      expect_refusal(trial, verdict, spoiling.what, [&] { candidate.frame.as_is(camera); });
-    }
-    ask_pixels(camera, spoiling.what);
-  }
-  for (const auto& spoiling : kPlaneSpoilings) {
-    scene::Camera camera = *trial.scene().camera;
-    spoiling.spoil(camera);
-    ask_pixels(camera, spoiling.what);
   }
 }
 
 void spoil_intersections(Trial& trial, Verdict& verdict) {
-  const auto ask = [&](const char* what, const scene::Ray& ray, const scene::Sphere& sphere) {
+  const auto ask = [&](const char* what, const Ray& ray, const Sphere& sphere) {
     expect_refusal(trial, verdict, what, [&] {
       trial.candidate().intersect.as_is(std::span(&ray, 1), std::span(&sphere, 1),
                                         trial.conventions());
     });
   };
-  const scene::Ray ray =
-      trial.scene().rays.empty() ? scene::Ray{{0, 0, 0}, {1, 0, 0}} : trial.scene().rays.front();
-  const scene::Sphere sphere = trial.scene().spheres.front();
+  const Ray ray =
+      trial.scene().rays.empty() ? Ray{{0, 0, 0}, {1, 0, 0}} : trial.scene().rays.front();
+  const Sphere sphere = trial.scene().spheres.front();
   for (const auto& spoiling : kSphereSpoilings) {
-    scene::Sphere spoilt = sphere;
+    Sphere spoilt = sphere;
     spoiling.spoil(spoilt);
     ask(spoiling.what, ray, spoilt);
   }
   for (const auto& spoiling : kRaySpoilings) {
-    scene::Ray spoilt = ray;
+    Ray spoilt = ray;
     spoiling.spoil(spoilt);
     ask(spoiling.what, spoilt, sphere);
   }
@@ -140,12 +128,8 @@ void judge_refusal(Trial& trial, Verdict& verdict) {
 }
 
 constexpr Law kRefusalLawTable[] = {
-    {.name = "refusal",
-     .sentence = "input that is not finite, or is degenerate, is refused, not answered",
-     .per = Per::kScene,
-     .needs = Needs::kRefusals,
-     .quantity = Quantity::kRefusal,
-     .judge = judge_refusal},
+    {"refusal", "input that is not finite, or is degenerate, is refused, not answered", Per::kScene,
+     Needs::kRefusals, Quantity::kRefusal, judge_refusal},
 };
 
 }  // namespace

@@ -6,10 +6,6 @@
 
 namespace raycheck::properties {
 
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
-
 namespace {
 
 HitFormulas completed(HitFormulas formulas) {
@@ -33,8 +29,8 @@ Hit chosen(const HitFormulas& formulas, const Ray& ray, const Sphere& sphere,
 }  // namespace
 
 HitAnswer hit_at(const Ray& ray, double s) {
-  return {s, scene::Point3{ray.origin.x + s * ray.direction.x, ray.origin.y + s * ray.direction.y,
-                           ray.origin.z + s * ray.direction.z}};
+  return {s, Point3{ray.origin.x + s * ray.direction.x, ray.origin.y + s * ray.direction.y,
+                    ray.origin.z + s * ray.direction.z}};
 }
 
 AskSphere hits_of(const Candidate& candidate) {

@@ -16,11 +16,11 @@ using Hit = std::optional<HitAnswer>;
 using NearestSpheres = decltype(Candidate::nearest);
 
 /// s, and Q = L + s D.
-HitAnswer hit_at(const scene::Ray& ray, double s);
+HitAnswer hit_at(const Ray& ray, double s);
 
 /// Asks about several rays and one sphere; returns one answer per ray.
-using AskSphere = std::function<std::vector<Hit>(Candidate::Rays, const scene::Sphere&,
-                                                 const scene::Conventions&)>;
+using AskSphere =
+    std::function<std::vector<Hit>(Candidate::Rays, const Sphere&, const Conventions&)>;
 
 /// The answers of a candidate, one sphere at a time.
 AskSphere hits_of(const Candidate& candidate);
@@ -29,12 +29,11 @@ AskSphere hits_of(const Candidate& candidate);
 /// of these hits.
 void answer_by(Candidate& candidate, const AskSphere& ask);
 
-using MakeRoots = std::function<fast::Roots(const scene::Ray&, const scene::Sphere&)>;
-using ChooseHit =
-    std::function<Hit(const scene::Ray&, const fast::Roots&, const scene::Conventions&)>;
+using MakeRoots = std::function<fast::Roots(const Ray&, const Sphere&)>;
+using ChooseHit = std::function<Hit(const Ray&, const fast::Roots&, const Conventions&)>;
 
 /// Whether a ray's line meets the sphere under the tangent convention.
-bool meets(const fast::Roots& roots, const scene::Conventions& conventions);
+bool meets(const fast::Roots& roots, const Conventions& conventions);
 
 /// Whether a root counts: it lies between the declared ends, here in multiples of the direction,
 /// and on a face that is not culled.
@@ -42,15 +41,13 @@ bool smaller_counts(const fast::Roots& roots, const scene::ValidRoots& valid);
 bool larger_counts(const fast::Roots& roots, const scene::ValidRoots& valid);
 
 /// The declared ends in multiples of a ray's direction.
-scene::ValidRoots in_multiples(scene::ValidRoots valid, const scene::Ray& ray,
-                               const scene::Sphere& sphere);
+scene::ValidRoots in_multiples(scene::ValidRoots valid, const Ray& ray, const Sphere& sphere);
 
 /// The choice of a correct method.
-Hit usual_choice(const scene::Ray& ray, const fast::Roots& roots,
-                 const scene::Conventions& conventions);
+Hit usual_choice(const Ray& ray, const fast::Roots& roots, const Conventions& conventions);
 
 /// Returns the rank of a hit sphere, given its index in the file, the roots and the chosen s.
-using RankSphere = std::function<double(std::size_t index, const scene::Ray&, const scene::Sphere&,
+using RankSphere = std::function<double(std::size_t index, const Ray&, const Sphere&,
                                         const fast::Roots&, double s)>;
 
 /// Wrong formulas for hits and the nearest sphere. An empty one stands for the correct formula,

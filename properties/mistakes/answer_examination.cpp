@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/trial.h"
@@ -12,8 +11,6 @@
 
 namespace raycheck::properties {
 namespace {
-
-using scene::Vector3;
 
 bool agree(const Vector3& a, const Vector3& b, double tolerance) {
   double size = 0;
@@ -57,7 +54,7 @@ StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
 /// The answers at a step; empty if the candidate lacks the function.
 std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidate& candidate) {
   Trial trial(asked.the_case, candidate);
-  const scene::Scene& scene = asked.the_case.scene;
+  const Scene& scene = asked.the_case.scene;
   StepAnswers answers;
   switch (step) {
     case Step::kFrame: {
@@ -67,7 +64,7 @@ std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidat
     }
     case Step::kPixelPoint:
       if (!scene.camera || !candidate.pixel_points) return {};
-      for (const scene::Point3& P : trial.pixel_points()) answers.push_back({{}, {vector(P)}});
+      for (const Point3& P : trial.pixel_points()) answers.push_back({{}, {vector(P)}});
       return answers;
     case Step::kRay:
       if (!scene.camera || !trial.has_rays()) return {};
@@ -145,7 +142,7 @@ std::vector<bool> dropped(Step step, const Comparison& comparison) {
 /// Whether, with the declared ends, roots computed in doubles give another hit class or root than
 /// the exact roots.
 bool ends_are_close(const AskedCase& asked) {
-  scene::Conventions conventions = asked.the_case.scene.conventions;
+  Conventions conventions = asked.the_case.scene.conventions;
   if (conventions.valid.is_usual()) return false;
   Case given{asked.the_case.scene, {}};
   given.scene.camera.reset();
@@ -160,7 +157,7 @@ bool ends_are_close(const AskedCase& asked) {
       const Hit chosen = usual_choice(asked.rays[ray], roots, conventions);
       const auto& exact = truth.intersection(ray, sphere);
       if (chosen.has_value() != counts_as_hit(exact.hit_class, conventions.tangent)) return true;
-      const bool is_smaller = exact.root == reference::WhichRoot::kSmaller;
+      const bool is_smaller = exact.root == WhichRoot::kSmaller;
       if (chosen && chosen->parameter != (is_smaller ? roots.smaller : roots.larger)) return true;
     }
   }
@@ -171,11 +168,10 @@ bool ends_are_close(const AskedCase& asked) {
 /// hits at roots there.
 void leave_out_rays_from_inside(AskedCase& asked) {
   constexpr double kNearly = 1.001;
-  const auto starts_inside_some = [&](const scene::Ray& ray) {
+  const auto starts_inside_some = [&](const Ray& ray) {
     return scene::defects(ray).empty() &&
-           std::ranges::any_of(asked.the_case.scene.spheres, [&](const scene::Sphere& sphere) {
-             return starts_inside(reference::ExactRay(ray),
-                                  {sphere.centre, kNearly * sphere.radius});
+           std::ranges::any_of(asked.the_case.scene.spheres, [&](const Sphere& sphere) {
+             return starts_inside(ExactRay(ray), {sphere.centre, kNearly * sphere.radius});
            });
   };
   for (std::size_t k = asked.rays.size(); k-- > 0;) {
@@ -196,7 +192,7 @@ void leave_out_tolerated(Comparison& comparison, const Candidate& candidate) {
   const auto& [the_case, rays, returns] = *comparison.asked;
   for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
     if (agree(comparison.answers[k], comparison.right[k], kAnswerTolerances.front())) continue;
-    const reference::ExactRay ray(rays[k % rays.size()]);
+    const ExactRay ray(rays[k % rays.size()]);
     const ChangedPair pair = {ray, the_case.scene.spheres[k / rays.size()],
                               excused_change(candidate.unit_roundoff)};
     if (tolerance_of(candidate.tolerances, pair) > 0) comparison.answers[k] = comparison.right[k];
@@ -209,10 +205,10 @@ std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candi
   auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
   if (!rounded || !is_inside_domain(candidate, rounded->scene)) return {};
   AskedCase asked = {*std::move(rounded), {}, candidate.interface.returns};
-  scene::Conventions& conventions = asked.the_case.scene.conventions;
+  Conventions& conventions = asked.the_case.scene.conventions;
   conventions = candidate.declared.over(conventions);
   asked.rays = Trial(asked.the_case, right).rays();
-  for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
+  for (Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
   if (candidate.interface.from_inside != contract::FromInside::kRoot) {
     leave_out_rays_from_inside(asked);
     if (asked.rays.empty()) return {};
@@ -316,8 +312,7 @@ std::uint64_t Examination::contradicted(const Candidate& made, Step first, Step 
   return count;
 }
 
-bool Examination::is_of_input(const scene::Ray& ray, const scene::Sphere& sphere,
-                              double error) const {
+bool Examination::is_of_input(const Ray& ray, const Sphere& sphere, double error) const {
   const double lengths = norm(ray.origin) + norm(sphere.centre) + sphere.radius;
   return std::abs(error) * norm(ray.direction) <= 8 * roundoff() * lengths;
 }
@@ -326,7 +321,7 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
   DoubtTally all;
   for (const Comparison& comparison : at(step)) {
     const auto& [the_case, rays, returns] = *comparison.asked;
-    const scene::Conventions& conventions = the_case.scene.conventions;
+    const Conventions& conventions = the_case.scene.conventions;
     const std::vector<bool> is_dropped = dropped(step, comparison);
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
       const Answer& answer = comparison.answers[k];
@@ -364,7 +359,7 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
 
 std::vector<StepAnswers> Examination::ask_others(Step step, AskedCase asked) const {
   std::vector<StepAnswers> answers;
-  scene::Conventions& conventions = asked.the_case.scene.conventions;
+  Conventions& conventions = asked.the_case.scene.conventions;
   const auto add = [&](const Candidate& other) {
     if (!(other.declared.over(conventions) == conventions)) return;
     if (auto its = try_to_ask(step, asked, other)) answers.push_back(std::move(*its));

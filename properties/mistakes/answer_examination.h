@@ -1,6 +1,7 @@
 #pragma once
 
-// Compares a candidate's answers with the right ones, step by step. Internal to answer_explanation.
+// Compares a candidate's answers with the right ones, step by step, and finds out from them which
+// formula loses digits. Internal to answer_explanation.
 
 #include <array>
 #include <optional>
@@ -18,14 +19,14 @@ namespace raycheck::properties {
 /// The answer at one step: which sphere, or whether a sphere is hit, and the vectors.
 struct Answer {
   std::optional<std::size_t> choice;
-  std::array<scene::Vector3, 3> vectors;
+  std::array<Vector3, 3> vectors;
 };
 using StepAnswers = std::vector<Answer>;
 
 /// A case under the conventions that the candidate is judged by, and its correct rays.
 struct AskedCase {
   Case the_case;
-  std::vector<scene::Ray> rays;
+  std::vector<Ray> rays;
   Returns returns = Returns::kHit;  ///< The values that are returned for a hit.
 };
 
@@ -53,13 +54,13 @@ class Examination {
   const std::vector<Comparison>& at(Step step);
 
   const Candidate& candidate() const { return candidate_; }
-  bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
+  bool is_single() const { return candidate_.precision == Precision::kSingle; }
   /// Whether at most half of the cases are left out by is_left_out().
   bool is_of_most() const { return left_out_ <= asked_.size(); }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
   /// Whether a few roundings of the input can cause this error of s. Then the error says nothing
   /// about the formula.
-  bool is_of_input(const scene::Ray& ray, const scene::Sphere& sphere, double error) const;
+  bool is_of_input(const Ray& ray, const Sphere& sphere, double error) const;
 
   std::uint64_t errors(Step step, double tolerance);
   /// The number of answers at a step that are NaN or infinite although the right ones are finite.
@@ -97,5 +98,13 @@ class Examination {
   std::size_t left_out_ = 0;
   std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
 };
+
+// Which formula loses digits (lost_digits.cpp); each is empty if the cause is not found.
+/// The roundings that explain the wrong answers at kIntersect or kNearest.
+std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance);
+/// The cause of the errors of hits that are right up to kAnswerTolerances.
+std::optional<AnswerCause> lost_digits(Examination& examination);
+/// The cause of the errors of directions that are right up to kAnswerTolerances.
+std::optional<AnswerCause> lost_digits_of_rays(Examination& examination);
 
 }  // namespace raycheck::properties

@@ -1,7 +1,6 @@
 #include "properties/mistakes/answer_explanation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -9,7 +8,6 @@
 
 #include "properties/mistakes/answer_examination.h"
 #include "properties/mistakes/fault.h"
-#include "properties/mistakes/lost_digits.h"
 
 namespace raycheck::properties {
 namespace {
@@ -77,9 +75,6 @@ std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*
            kFewestErrorsOfACause;
   };
   std::set<std::pair<std::string_view, std::string_view>> known;
-  const auto name = [](const Mistake* one) {
-    return one->group.empty() ? std::string_view(one->sentence) : one->group;
-  };
   std::vector<Fault> found;
   for (std::size_t a = 0; a < mistakes.size(); ++a) {
     for (std::size_t b = a + 1; b < mistakes.size(); ++b) {
@@ -88,7 +83,7 @@ std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*
       if (examination.contradicted(candidate_with(pair), steps.first, steps.last, tolerance, 0) > 0)
         continue;
       if (!is_too_much(pair[0]) || !is_too_much(pair[1])) continue;
-      if (known.insert({name(pair[0]), name(pair[1])}).second) found.push_back(pair);
+      if (known.insert({pair[0]->name(), pair[1]->name()}).second) found.push_back(pair);
     }
   }
   return found;

@@ -9,23 +9,10 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
-using scene::Point3;
-using scene::Ray;
-using scene::Sphere;
 using scene::UnitVector3;
-using scene::Vector3;
 
-template <class Triple>
-double dot(const Vector3& a, const Triple& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 /// The axis may have any length.
 UnitVector3 axis(const Vector3& v) { return {v.x, v.y, v.z}; }
-UnitVector3 cross(const Vector3& a, const UnitVector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 Vector3 scaled(double factor, const Vector3& v) {
   return {factor * v.x, factor * v.y, factor * v.z};
 }
@@ -70,20 +57,20 @@ std::vector<Mistake> frame_mistakes() {
       frame("W is not normalised, nor V = W x U",
             [](const Camera& c, FrameAnswer& axes) {
               axes.W = axis(view(c));
-              axes.V = cross(view(c), axes.U);
+              axes.V = axis(cross(view(c), axes.U));
             }),
       frame("U is not normalised: U = up x W",
-            [](const Camera& c, FrameAnswer& axes) { axes.U = cross(c.up, axes.W); }),
+            [](const Camera& c, FrameAnswer& axes) { axes.U = axis(cross(c.up, axes.W)); }),
       frame("U is not normalised, nor V = W x U",
             [](const Camera& c, FrameAnswer& axes) {
-              axes.U = cross(c.up, axes.W);
-              axes.V = cross(vector(axes.W), axes.U);
+              axes.U = axis(cross(c.up, axes.W));
+              axes.V = axis(cross(axes.W, axes.U));
             }),
       frame("the axes are not normalised: W = E - A, U = up x W, V = W x U",
             [](const Camera& c, FrameAnswer& axes) {
               axes.W = axis(view(c));
-              axes.U = cross(c.up, axes.W);
-              axes.V = cross(view(c), axes.U);
+              axes.U = axis(cross(c.up, axes.W));
+              axes.V = axis(cross(view(c), axes.U));
             }),
       frame("the axes are lost: all are zero", [](auto&, FrameAnswer& axes) { axes = {}; }),
       frame("the axes are those of the world",

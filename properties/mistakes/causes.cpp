@@ -3,28 +3,209 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
+#include <limits>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "properties/case.h"
 #include "properties/mistakes/answer_examination.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
-#include "properties/mistakes/undeclared.h"
 #include "scene/interruption.h"
 #include "scene/precision.h"
 
 namespace raycheck::properties {
 namespace {
 
-bool is_too_large(const scene::Scene& scene) {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A convention that a candidate may follow even if the scene says otherwise, another declaration
+/// of the valid roots, or another interface.
+struct Followed {
+  std::string text;
+  DeclaredConventions declared = {};
+  std::optional<contract::Interface> interface = {};
+};
+
+/// Sets the choice of this type.
+template <class Choice>
+void choose(auto& choices, const Choice& value) {
+  using contract::for_each_choice, scene::for_each_choice;
+  for_each_choice(choices, [&](auto /*name*/, auto& choice, auto...) {
+    if constexpr (std::is_same_v<decltype(choice), Choice&>) choice = value;
+  });
+}
+
+std::vector<Followed> undeclared(const Candidate& candidate) {
+  const DeclaredConventions& declared = candidate.declared;
+  std::vector<Followed> all;
+  const auto add = [&](std::string_view name, auto value) -> Followed& {
+    all.push_back({std::string(name) + " = " + std::string(scene::name(value))});
+    return all.back();
+  };
+  const bool makes_rays = candidate.pixel_points || candidate.pixel_rays || candidate.focal_rays;
+  scene::for_each_choice(declared, [&](std::string_view name, const auto& declared_value) {
+    using Choice = std::remove_cvref_t<decltype(declared_value)>;
+    using Value = typename Choice::value_type;
+    const bool is_of_hits =
+        std::is_same_v<Value, scene::Root> || std::is_same_v<Value, scene::Tangent>;
+    if (declared_value || !(makes_rays || is_of_hits)) return;
+    for (std::size_t k = 0; k < names_of(Value{}).size(); ++k) {
+      const auto value = static_cast<Value>(k);
+      if (scene::name(value) == "either") continue;  // under it tangents are not judged
+      choose(add(name, value).declared, Choice(value));
+    }
+  });
+  const auto add_valid = [&](std::string text, auto member, auto value) {
+    if ((*declared.valid).*member == value) return;
+    all.push_back({std::move(text)});
+    auto& valid = all.back().declared.valid = declared.valid;
+    (*valid).*member = value;
+  };
+  if (declared.valid) {
+    for (const auto unit :
+         {scene::TUnit::kAbsolute, scene::TUnit::kRadius, scene::TUnit::kLength}) {
+      add_valid("t_unit = " + std::string(scene::name(unit)), &scene::ValidRoots::unit, unit);
+    }
+    add_valid("t_max = infinity", &scene::ValidRoots::t_max, kInfinity);
+    if (candidate.interface.rays == contract::RayForm::kEnd) {
+      add_valid("t_max = 1", &scene::ValidRoots::t_max, 1.0);
+    }
+    add_valid("culling = none", &scene::ValidRoots::culling, scene::Culling::kNone);
+    add_valid("t_min = 0", &scene::ValidRoots::t_min, 0.0);
+    add_valid("t_min = -infinity", &scene::ValidRoots::t_min, -kInfinity);
+  }
+  if (!candidate.by_interface) return all;
+  contract::for_each_choice(candidate.interface, [&](const char* name, auto& declared_value, auto) {
+    using Value = std::remove_cvref_t<decltype(declared_value)>;
+    // What it returns, and the inputs that it accepts, have other sentences.
+    if (std::is_same_v<Value, Returns> || std::is_same_v<Value, contract::Directions> ||
+        std::is_same_v<Value, contract::Windows> || std::is_same_v<Value, contract::Placement>) {
+      return;
+    }
+    for (std::size_t k = 0; k < names_of(declared_value).size(); ++k) {
+      contract::Declarations allowed;
+      allowed.conventions = declared;
+      allowed.interface = candidate.interface;
+      choose(allowed.interface, static_cast<Value>(k));
+      if (allowed.interface != candidate.interface && contract::defects(allowed).empty()) {
+        add(name, static_cast<Value>(k)).interface = allowed.interface;
+      }
+    }
+  });
+  return all;
+}
+
+/// The candidate under these conventions, or called by this interface.
+Candidate following(const Candidate& candidate, const Followed& under) {
+  Candidate one = candidate;
+  one.declared = under.declared.over(candidate.declared);
+  if (under.interface) {
+    static_cast<Functions&>(one) = candidate.by_interface(*under.interface);
+    one.interface = *under.interface;
+  }
+  return one;
+}
+
+/// Whether the answers are the same under both conventions.
+bool same_answers(Trial& one, Trial& other) {
+  const Candidate& candidate = one.candidate();
+  if (one.scene().camera && candidate.pixel_points && one.pixel_points() != other.pixel_points()) {
+    return false;
+  }
+  if (!one.has_rays() || !other.has_rays()) return true;
+  if (one.rays() != other.rays()) return false;
+  for (std::size_t k = 0; candidate.intersect && k < one.scene().spheres.size(); ++k) {
+    const SphereHits &hits = one.hits(k), &others = other.hits(k);
+    if (!std::equal(hits.begin(), hits.end(), others.begin(), others.end(),
+                    [](const RayHit& a, const RayHit& b) {
+                      return a.ray == b.ray && a.hit.parameter == b.hit.parameter;
+                    })) {
+      return false;
+    }
+  }
+  return !candidate.nearest || one.nearest() == other.nearest();
+}
+
+/// Whether a candidate, called by this interface, gives right answers under these conventions, and
+/// the same under those that are asked for.
+bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& candidate,
+              const Followed& under) try {
+  const auto& [rows, samples, origin, root, tangent, valid] = under.declared;
+  const bool has_convention = rows || samples || origin || root || tangent || valid;
+  const Candidate called = following(candidate, {{}, {}, under.interface});
+  const Candidate other_candidate = following(candidate, under);
+  std::uint64_t asked = 0;
+  for (const Case& given : cases) {
+    const auto one = rounded_case(given, other_candidate.input_format()).the_case;
+    if (!one || !is_problem(*one, other_candidate.declared)) continue;
+    Trials declared(*one, called, {}), followed(*one, other_candidate, {});
+    const Verdict verdict = followed.apply(law);
+    if (verdict.count(Standing::kDefect) > 0) return false;
+    if (has_convention && !same_answers(declared.of(law), followed.of(law))) return false;
+    // All other laws must hold, too: the hit class may be right although the root is wrong.
+    for (const Law& other : laws()) {
+      if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
+    }
+    asked += verdict.compared() > 0 ? 1 : 0;
+  }
+  return 2 * asked > cases.size();
+} catch (const NoAnswer&) {
+  return false;
+}
+
+/// The number of defects that a law finds in these cases; 0 if the candidate fails on one of them.
+std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
+                            const Candidate& candidate) {
+  std::uint64_t count = 0;
+  for (const Case& one : cases) {
+    const Verdict verdict = Trials(one, candidate, {}).apply(law);
+    const auto worst = verdict.worst(1);
+    if (!worst.empty() && worst.front().wrong == Wrong::kFailed) return 0;
+    count += verdict.count(Standing::kDefect);
+  }
+  return count;
+}
+
+/// The smallest set of conventions, one or two, that a candidate follows without declaring them, or
+/// valid roots other than those that it declares, under which no answer about these cases is a
+/// defect. The candidate must give the same answers when it is asked to follow them. Empty if there
+/// is no such set, if there are no defects, and for renderers, which do not get conventions.
+/// Domain: cases of the candidate's format (rounded_case).
+std::optional<Explanation> right_under(const Law& law, const std::vector<Case>& cases,
+                                       const Candidate& candidate) {
+  if (candidate.image) return {};
+  const std::uint64_t defects = count_defects(law, cases, candidate);
+  if (defects == 0) return {};
+  const auto said = [&](const Followed& under) {
+    return Explanation{"right under " + under.text + ", which the candidate does not declare",
+                       defects, defects};
+  };
+  const std::vector<Followed> all = undeclared(candidate);
+  for (const Followed& one : all) {
+    if (is_right(law, cases, candidate, one)) return said(one);
+  }
+  for (std::size_t one = 0; one < all.size(); ++one) {
+    // Starts after both values of the first convention.
+    for (std::size_t other = (one / 2 + 1) * 2; other < all.size(); ++other) {
+      if (all[one].interface) continue;
+      const Followed both = {all[one].text + " and " + all[other].text,
+                             all[one].declared.over(all[other].declared), all[other].interface};
+      if (is_right(law, cases, candidate, both)) return said(both);
+    }
+  }
+  return {};
+}
+
+bool is_too_large(const Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
 /// Whether squares of distances overflow: a separate defect, which other causes need not explain.
-bool overflows(const scene::Scene& scene, scene::Precision precision) {
+bool overflows(const Scene& scene, Precision precision) {
   return std::any_of(scene.spheres.begin(), scene.spheres.end(), [&](const auto& sphere) {
-    const scene::Vector3 T = sphere.centre - scene.camera->eye;
+    const Vector3 T = sphere.centre - scene.camera->eye;
     return !std::isfinite(scene::rounded_to(precision, T.x * T.x + T.y * T.y + T.z * T.z));
   });
 }
@@ -75,10 +256,7 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
     if (rounded && is_problem(*rounded, candidate.declared)) asked.push_back(*std::move(rounded));
   }
   try {
-    if (const auto under = right_under(law, asked, candidate)) {
-      return {{"right under " + under->conventions + ", which the candidate does not declare",
-               under->defects, under->defects}};
-    }
+    if (auto under = right_under(law, asked, candidate)) return {*std::move(under)};
     if (!candidate.image) return answer_explanations(law, asked, candidate);
     std::vector<Explanation> found = explanations(picture_causes(shown(asked, candidate)));
     std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "properties/case.h"
 #include "properties/mistakes/mistake_list.h"
@@ -10,10 +9,6 @@
 
 namespace raycheck::properties {
 namespace {
-
-using scene::Pixel;
-using scene::Ray;
-using scene::Sphere;
 
 const Candidate& right() {
   static const Candidate kRight = right_candidate();
@@ -105,7 +100,7 @@ bool can_be_together(const Mistake& a, const Mistake& b) {
          joined(a.hits, b.hits);
 }
 
-FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
+FaultyView::FaultyView(const Fault& fault, const Scene& scene)
     : asked_(scene), taken_(scene), rays_(&right()) {
   HitFormulas hits;
   for (const Mistake* mistake : in_order(fault)) {
@@ -118,7 +113,7 @@ FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
 }
 
 std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) const {
-  const scene::Camera& camera = *asked_.camera;
+  const Camera& camera = *asked_.camera;
   std::vector<std::optional<Ray>> found(pixels.size());
   std::vector<Pixel> asked(pixels.begin(), pixels.end());
   std::vector<bool> is_black(asked.size());
@@ -154,7 +149,7 @@ ImageAnswer FaultyView::seen(std::span<const Pixel> pixels, double growth) const
     valid.push_back(*all[k]);
   }
   std::vector<Sphere> spheres = taken_.spheres;
-  const scene::Point3& eye = taken_.camera->eye;
+  const Point3& eye = taken_.camera->eye;
   for (Sphere& sphere : spheres) {
     if (growth == 0) break;
     const double reach = norm(sphere.centre - eye) + sphere.radius;
@@ -165,7 +160,7 @@ ImageAnswer FaultyView::seen(std::span<const Pixel> pixels, double growth) const
   return answer;
 }
 
-ImageAnswer predicted(const Fault& fault, const scene::Scene& scene) {
+ImageAnswer predicted(const Fault& fault, const Scene& scene) {
   return FaultyView(fault, scene).seen(all_pixels(*scene.camera));
 }
 

@@ -38,26 +38,26 @@ bool can_be_together(const Mistake& a, const Mistake& b);
 /// can be together.
 class FaultyView {
  public:
-  FaultyView(const Fault& fault, const scene::Scene& scene);
+  FaultyView(const Fault& fault, const Scene& scene);
 
   /// The rays of these pixels; empty if the camera is invalid or the pixel is black.
-  std::vector<std::optional<scene::Ray>> rays(std::span<const scene::Pixel> pixels) const;
+  std::vector<std::optional<Ray>> rays(std::span<const Pixel> pixels) const;
   /// The scene as code with this fault reads it.
-  const scene::Scene& taken() const { return taken_; }
+  const Scene& taken() const { return taken_; }
 
   /// The sphere that each of these pixels shows. Radii are enlarged by `growth` times the distance
   /// from the eye.
-  ImageAnswer seen(std::span<const scene::Pixel> pixels, double growth = 0) const;
+  ImageAnswer seen(std::span<const Pixel> pixels, double growth = 0) const;
 
  private:
-  const scene::Scene& asked_;
-  scene::Scene taken_;
+  const Scene& asked_;
+  Scene taken_;
   const Candidate* rays_;
   NearestSpheres nearest_;
   std::vector<const Mistake*> pixels_;
 };
 
 /// The whole image that a program with this fault draws.
-ImageAnswer predicted(const Fault& fault, const scene::Scene& scene);
+ImageAnswer predicted(const Fault& fault, const Scene& scene);
 
 }  // namespace raycheck::properties

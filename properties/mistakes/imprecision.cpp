@@ -8,18 +8,9 @@
 #include "properties/mistakes/mistake_list.h"
 
 namespace raycheck::properties {
-namespace {
 
-using scene::Root;
-using scene::Vector3;
-
-/// The exponent of the largest power of ten that is at most `radii`.
-int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(radii))); }
-
-}  // namespace
-
-PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
-                         const scene::Conventions& conventions) {
+PossibleHit possible_hit(Arithmetic arithmetic, const Ray& ray, const Sphere& sphere,
+                         const Conventions& conventions) {
   const bool is_expanded =
       arithmetic == Arithmetic::kExpanded || arithmetic == Arithmetic::kSingleExpanded;
   const bool is_single = arithmetic == Arithmetic::kSingle ||
@@ -34,8 +25,7 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   const double r = sphere.radius, t = norm(T);
   const double v = T.x * D.x + T.y * D.y + T.z * D.z;
   // |T x D| and the bound of its error, as for v.
-  const double m =
-      norm(Vector3{T.y * D.z - T.z * D.y, T.z * D.x - T.x * D.z, T.x * D.y - T.y * D.x});
+  const double m = norm(cross(T, D));
   const double off = kRoundings * u * (norm(ray.origin) + norm(sphere.centre) + t + r);
   double error = 2 * off * (m + r) + off * off;
   if (cancels) error += kRoundings * u * (t * t + r * r);
@@ -56,7 +46,7 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   hit.radii = t / r;
   const bool near_counts = valid.culling != scene::Culling::kFrontFaces;
   const bool far_counts =
-      conventions.root == Root::kNearest && valid.culling != scene::Culling::kBackFaces;
+      conventions.root == scene::Root::kNearest && valid.culling != scene::Culling::kBackFaces;
   const bool may_be_near = near_counts && may(near_least, near_most);
   const bool may_be_far = far_counts && may(far_least, far_most);
   const bool is_near = near_counts && must(near_least, near_most);
@@ -70,13 +60,12 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   return hit;
 }
 
-PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
-                             std::span<const scene::Sphere> spheres,
-                             const scene::Conventions& conventions,
+PossibleSight possible_sight(Arithmetic arithmetic, const Ray& ray, std::span<const Sphere> spheres,
+                             const Conventions& conventions,
                              const std::optional<std::size_t>& shown) {
   std::vector<PossibleHit> hits;
   double latest = std::numeric_limits<double>::infinity();
-  for (const scene::Sphere& sphere : spheres) {
+  for (const Sphere& sphere : spheres) {
     hits.push_back(possible_hit(arithmetic, ray, sphere, conventions));
     if (hits.back().is_certain) latest = std::min(latest, hits.back().most);
   }
@@ -100,13 +89,15 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
     return "|C - L|^2 loses its digits far from the world's origin, because larger squares are "
            "subtracted; (C - L) . (C - L) keeps them";
   }
+  // The largest power of ten that is at most `radii`.
+  const auto power_of_ten = [&] { return static_cast<int>(std::floor(std::log10(radii))); };
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
          "d^2 loses its digits" + (radii < 10 ? " (near tangents)" : "") +
          ", because it is the difference of much larger numbers; r^2 - |T x D|^2 keeps them" +
          (radii < 10 ? ""
-                     : " (the wrong cases examined are at 10^" +
-                           std::to_string(power_of_ten(radii)) + " radii or more)");
+                     : " (the wrong cases examined are at 10^" + std::to_string(power_of_ten()) +
+                           " radii or more)");
 }
 
 void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,

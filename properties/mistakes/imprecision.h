@@ -41,8 +41,8 @@ struct PossibleHit {
     return is_possible && least <= *s && *s <= most && !(between < *s && *s < and_between);
   }
 };
-PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
-                         const scene::Conventions& conventions);
+PossibleHit possible_hit(Arithmetic arithmetic, const Ray& ray, const Sphere& sphere,
+                         const Conventions& conventions);
 
 /// Whether a formula may show, along a ray, what a picture shows.
 struct PossibleSight {
@@ -50,9 +50,8 @@ struct PossibleSight {
   bool is_doubtful = false;  ///< More than one answer is possible.
   double radii = 0;          ///< The distance, in radii, of the most doubtful sphere.
 };
-PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
-                             std::span<const scene::Sphere> spheres,
-                             const scene::Conventions& conventions,
+PossibleSight possible_sight(Arithmetic arithmetic, const Ray& ray, std::span<const Sphere> spheres,
+                             const Conventions& conventions,
                              const std::optional<std::size_t>& shown);
 
 /// The sentence for a formula, whose d^2 loses all digits at this distance in radii.

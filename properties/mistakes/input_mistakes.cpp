@@ -9,10 +9,7 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
 using scene::Origin;
-using scene::Pixel;
 
 Mistake pixel_mistake(std::string sentence, ChangePixel change) {
   return {.sentence = std::move(sentence), .step = Step::kPixelPoint, .pixel = std::move(change)};
@@ -20,6 +17,12 @@ Mistake pixel_mistake(std::string sentence, ChangePixel change) {
 
 Mistake convention_mistake(std::string sentence, ChangeConventions change, Step step) {
   return {.sentence = std::move(sentence), .step = step, .conventions = std::move(change)};
+}
+
+/// The number of pixels that are written before this one, beginning in the top row.
+std::int64_t written_before(const Camera& its, const Conventions& conventions, const Pixel& p) {
+  const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+  return (bottom_first ? its.height - 1 - p.j : p.j) * its.width + p.i;
 }
 
 /// Exchanged loops: the picture is written as `width` lines of `height` pixels, and read as
@@ -31,9 +34,7 @@ Mistake lines_for_columns(const std::string& outside, bool from_last) {
           outside,
       [from_last](const Camera& its, const Conventions& conventions, const Pixel& p) {
         const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-        const std::int64_t row = bottom_first ? its.height - 1 - p.j : p.j;
-        const std::int64_t k = row * its.width + p.i;
-        const std::int64_t line = k / its.height;
+        const std::int64_t k = written_before(its, conventions, p), line = k / its.height;
         const std::int64_t last = (from_last ? its.width : its.height) - 1;
         return Pixel{k % its.height, bottom_first ? last - line : line};
       });
@@ -76,9 +77,7 @@ std::vector<Mistake> pixel_mistakes() {
   const auto by_columns = [](bool from_top) {
     return [from_top](const Camera& its, const Conventions& conventions, const Pixel& p) {
       const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-      const std::int64_t row = bottom_first ? its.height - 1 - p.j : p.j;
-      const std::int64_t k = row * its.width + p.i;
-      const std::int64_t down = k % its.height;
+      const std::int64_t k = written_before(its, conventions, p), down = k % its.height;
       return Pixel{k / its.height, from_top == bottom_first ? its.height - 1 - down : down};
     };
   };
@@ -230,7 +229,7 @@ std::vector<Mistake> view_mistakes() {
       camera_mistake(
           "the eye is ignored except in W: P = nW + alpha U + beta V, D = P/|P|",
           [](Camera& its, auto&) {
-            const scene::Vector3 view = its.look_at - its.eye;
+            const Vector3 view = its.look_at - its.eye;
             its.look_at = {view.x, view.y, view.z};
             its.eye = {};
           },

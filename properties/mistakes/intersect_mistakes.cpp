@@ -11,9 +11,6 @@ namespace raycheck::properties {
 namespace {
 
 using fast::Roots;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
 
 Mistake of_hits(std::string sentence, HitFormulas formulas) {
   return {.sentence = std::move(sentence),
@@ -38,7 +35,6 @@ Mistake of_value(std::string sentence, ChangeHit change,
           .is_offered = is_offered};
 }
 
-bool returns_points(const Candidate& candidate) { return gives_point(candidate.interface.returns); }
 bool returns_multiples(const Candidate& candidate) {
   return candidate.interface.returns == Returns::kHit ||
          candidate.interface.returns == Returns::kParameter;

@@ -1,11 +1,10 @@
-#include "properties/mistakes/lost_digits.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "fast/camera_frame.h"
 #include "fast/intersect.h"
+#include "properties/mistakes/answer_examination.h"
 #include "properties/mistakes/mistake_list.h"
 
 namespace raycheck::properties {
@@ -40,8 +39,8 @@ std::optional<SmallErrors> small_errors(Examination& examination, const AllowsCl
     if (asked.returns == Returns::kClass) return {};
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
       const Answer &answer = comparison.answers[k], &right = comparison.right[k];
-      const scene::Ray& ray = asked.rays[k % asked.rays.size()];
-      const scene::Sphere& sphere = asked.the_case.scene.spheres[k / asked.rays.size()];
+      const Ray& ray = asked.rays[k % asked.rays.size()];
+      const Sphere& sphere = asked.the_case.scene.spheres[k / asked.rays.size()];
       if (answer.choice != right.choice) {
         const auto given = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
         if (!allows_class(asked, ray, sphere, given)) return {};
@@ -76,15 +75,14 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   const auto found = small_errors(
       examination, [](const auto&...) { return false; },
-      [&](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double,
-          double off) {
+      [&](const AskedCase&, const Ray& ray, const Sphere& sphere, double, double off) {
         const auto roots = fast::kCross.roots(ray, sphere);
         const double v = std::abs(roots.axial_distance);
         const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
         const double lost = kRoundings * examination.roundoff() * (v + d) / std::abs(v - d);
         return off <= lost;
       },
-      [](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double s) {
+      [](const AskedCase&, const Ray& ray, const Sphere& sphere, double s) {
         const auto roots = fast::kCross.roots(ray, sphere);
         return roots.smaller < 0 && s * norm(ray.direction) > std::abs(roots.axial_distance);
       });
@@ -97,7 +95,7 @@ std::optional<AnswerCause> cancelling_q(Examination& examination) {
 std::optional<AnswerCause> cancelling_difference(Examination& examination) {
   const bool is_single = examination.is_single();
   const auto within = [](Arithmetic arithmetic) {
-    return [arithmetic](const AskedCase& asked, const scene::Ray& ray, const scene::Sphere& sphere,
+    return [arithmetic](const AskedCase& asked, const Ray& ray, const Sphere& sphere,
                         std::optional<double> s, auto...) {
       return possible_hit(arithmetic, ray, sphere, asked.the_case.scene.conventions).allows(s);
     };
@@ -119,7 +117,6 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
 
 }  // namespace
 
-/// The roundings that explain the answers at a step, if there are such.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
   for (const Arithmetic arithmetic : {Arithmetic::kDifference, Arithmetic::kExpanded,
                                       Arithmetic::kSingle, Arithmetic::kSingleDifference}) {
@@ -147,12 +144,11 @@ std::optional<AnswerCause> lost_digits_of_rays(Examination& examination) {
   const double u = examination.roundoff();
   std::uint64_t wrong = 0;
   for (const Comparison& comparison : examination.at(Step::kRay)) {
-    const scene::Camera& camera = *comparison.asked->the_case.scene.camera;
-    const scene::Vector3 W = vector(fast::camera_frame(camera).W), E = vector(camera.eye);
+    const Camera& camera = *comparison.asked->the_case.scene.camera;
+    const Vector3 W = vector(fast::camera_frame(camera).W), E = vector(camera.eye);
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
-      const scene::Vector3 &D = comparison.answers[k].vectors[1],
-                           &right = comparison.right[k].vectors[1];
-      const double off = norm(scene::Vector3{D.x - right.x, D.y - right.y, D.z - right.z});
+      const Vector3 &D = comparison.answers[k].vectors[1], &right = comparison.right[k].vectors[1];
+      const double off = norm(Vector3{D.x - right.x, D.y - right.y, D.z - right.z});
       if (off <= kNoticed * u) continue;
       // |P - E|, from D . W, the cosine of its angle to the view.
       const double g = std::abs(camera.near / (right.x * W.x + right.y * W.y + right.z * W.z));

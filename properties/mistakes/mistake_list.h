@@ -19,14 +19,23 @@ Candidate right_candidate();
 std::vector<Candidate> other_right_candidates(const Candidate& candidate);
 
 template <class Triple>
-scene::Vector3 vector(const Triple& v) {
+Vector3 vector(const Triple& v) {
   return {v.x, v.y, v.z};
 }
 template <class Triple>
 double norm(const Triple& v) {
   return std::hypot(v.x, v.y, v.z);
 }
-scene::Vector3 normalised(const scene::Vector3& v);
+template <class A, class B>
+Vector3 cross(const A& a, const B& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Vector3 normalised(const Vector3& v);
+
+/// For Mistake::is_offered.
+inline bool returns_points(const Candidate& candidate) {
+  return gives_point(candidate.interface.returns);
+}
 
 /// A mistake whose answers are right for another camera.
 inline Mistake camera_mistake(std::string sentence, ChangeCamera change,

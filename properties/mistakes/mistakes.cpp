@@ -12,13 +12,7 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
 using scene::Origin;
-using scene::Pixel;
-using scene::Point3;
-using scene::Ray;
-using scene::Vector3;
 
 /// Calls tell(P, g) for each pixel, g = nW + alpha U + beta V.
 template <class Tell>
@@ -77,7 +71,7 @@ struct Input {
     for (Pixel& one : pixels) one = mistake.pixel(given, under, one);
   }
 
-  scene::Scene scene;
+  Scene scene;
   std::vector<Pixel> pixels;
 };
 
@@ -98,7 +92,7 @@ void change_camera(const Mistake& mistake, Candidate& candidate) {
                                      Candidate::Pixels pixels) {
       conventions.origin = origin;
       const Input input(mistake, camera, conventions, pixels);
-      const scene::Scene& taken = input.scene;
+      const Scene& taken = input.scene;
       return right->rays_from(taken.conventions.origin)(*taken.camera, taken.conventions,
                                                         input.pixels);
     };
@@ -112,8 +106,7 @@ void change_spheres(const Mistake& mistake, Candidate& candidate) {
   const auto taking = [&mistake](const auto& answer) {
     return [&mistake, answer](Candidate::Rays rays, Candidate::Spheres given,
                               const Conventions& conventions) {
-      const scene::Scene taken =
-          mistaken(mistake, {{}, {}, {given.begin(), given.end()}, conventions});
+      const Scene taken = mistaken(mistake, {{}, {}, {given.begin(), given.end()}, conventions});
       return answer(rays, taken.spheres, taken.conventions);
     };
   };
@@ -123,7 +116,7 @@ void change_spheres(const Mistake& mistake, Candidate& candidate) {
 
 void change_hits(const ChangeHit& change, Candidate& candidate) {
   answer_by(candidate,
-            [ask = hits_of(candidate), change](Candidate::Rays rays, const scene::Sphere& sphere,
+            [ask = hits_of(candidate), change](Candidate::Rays rays, const Sphere& sphere,
                                                const Conventions& conventions) {
               std::vector<Hit> hits = ask(rays, sphere, conventions);
               for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -229,8 +222,8 @@ const Mistake* find_mistake(std::string_view sentence) {
   return found == all.end() ? nullptr : &*found;
 }
 
-scene::Scene mistaken(const Mistake& mistake, scene::Scene scene) {
-  const scene::Conventions given = scene.conventions;
+Scene mistaken(const Mistake& mistake, Scene scene) {
+  const Conventions given = scene.conventions;
   if (mistake.camera && scene.camera) mistake.camera(*scene.camera, given);
   if (mistake.conventions) mistake.conventions(scene.conventions);
   if (mistake.sphere) {

@@ -16,25 +16,23 @@ enum class Step { kFrame, kPixelPoint, kRay, kIntersect, kNearest };
 inline constexpr std::size_t kStepCount = 5;
 
 /// Changes the camera, under its conventions; the result may be invalid.
-using ChangeCamera = std::function<void(scene::Camera&, const scene::Conventions&)>;
+using ChangeCamera = std::function<void(Camera&, const Conventions&)>;
 /// Changes the conventions.
-using ChangeConventions = std::function<void(scene::Conventions&)>;
+using ChangeConventions = std::function<void(Conventions&)>;
 /// Returns another pixel than the one asked about; it may lie outside the image.
-using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene::Conventions&,
-                                               const scene::Pixel&)>;
+using ChangePixel = std::function<Pixel(const Camera&, const Conventions&, const Pixel&)>;
 /// Changes the sphere.
-using ChangeSphere = std::function<void(scene::Sphere&)>;
+using ChangeSphere = std::function<void(Sphere&)>;
 /// Returns another hit than the right one.
-using ChangeHit = std::function<HitAnswer(const scene::Ray&, const scene::Sphere&, HitAnswer)>;
+using ChangeHit = std::function<HitAnswer(const Ray&, const Sphere&, HitAnswer)>;
 
 /// The formulas from a camera to its rays; an empty one stands for the right formula.
 struct CameraFormulas {
-  std::function<FrameAnswer(const scene::Camera&)> frame = {};
+  std::function<FrameAnswer(const Camera&)> frame = {};
   /// P from g = nW + alpha U + beta V
-  std::function<scene::Point3(const scene::Camera&, const scene::Vector3&)> point = {};
+  std::function<Point3(const Camera&, const Vector3&)> point = {};
   /// D from P and g
-  std::function<scene::Vector3(const scene::Camera&, const scene::Point3&, const scene::Vector3&)>
-      direction = {};
+  std::function<Vector3(const Camera&, const Point3&, const Vector3&)> direction = {};
   bool starts_at_eye = false;  ///< Even if the origin convention says otherwise.
 };
 
@@ -72,6 +70,8 @@ struct Mistake {
   /// Whether it replaces i/(w-1), or (i+1/2)/w, in alpha or beta. Two of these might cancel out.
   bool places_pixels = false;
 
+  /// The name of its group; without a group its sentence.
+  std::string_view name() const { return group.empty() ? std::string_view(sentence) : group; }
   /// Whether the mistake is in the formulas of rays.
   bool makes_rays() const { return rays.frame || rays.point || rays.direction; }
 };
@@ -87,6 +87,6 @@ Candidate candidate_with(std::span<const Mistake* const> mistakes);
 const Mistake* find_mistake(std::string_view sentence);
 
 /// The scene as code with this mistake reads it; it may be invalid.
-scene::Scene mistaken(const Mistake& mistake, scene::Scene scene);
+Scene mistaken(const Mistake& mistake, Scene scene);
 
 }  // namespace raycheck::properties

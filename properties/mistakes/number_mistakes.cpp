@@ -17,9 +17,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Sphere;
-
 double aspect(const Camera& camera) {
   return static_cast<double>(camera.width) / static_cast<double>(camera.height);
 }
@@ -193,7 +190,7 @@ std::vector<BoundChange> bound_changes() {
 /// Returns a number as it is read.
 using Reading = double (*)(double);
 double as_integer(double x) { return std::trunc(x); }
-double as_float(double x) { return scene::rounded_to(scene::Precision::kSingle, x); }
+double as_float(double x) { return scene::rounded_to(Precision::kSingle, x); }
 
 template <class Triple>
 void read_triple(Reading as, Triple& triple) {
@@ -212,7 +209,7 @@ void read_view(Reading as, Camera& camera) {
 }
 
 ChangeCamera read_camera(Reading as) {
-  return [as](Camera& camera, const scene::Conventions&) {
+  return [as](Camera& camera, const Conventions&) {
     read_view(as, camera);
     camera.near = as(camera.near);
     read_bounds(as, camera);
@@ -249,14 +246,14 @@ std::vector<Mistake> readings(Reading as, const std::string& how) {
           sphere_mistake("the spheres' numbers are " + how, read_sphere(as))};
 }
 
-scene::Ray ray_of_floats(scene::Ray ray) {
+Ray ray_of_floats(Ray ray) {
   read_triple(as_float, ray.origin);
   read_triple(as_float, ray.direction);
   return ray;
 }
 
 /// Rounds s, Q or both to floats. Q follows from s, unless only Q is rounded.
-HitAnswer of_floats(const scene::Ray& ray, HitAnswer hit, bool s, bool Q) {
+HitAnswer of_floats(const Ray& ray, HitAnswer hit, bool s, bool Q) {
   if (s) hit = hit_at(ray, as_float(hit.parameter));
   if (Q) read_triple(as_float, hit.point);
   return hit;
@@ -266,12 +263,10 @@ HitAnswer of_floats(const scene::Ray& ray, HitAnswer hit, bool s, bool Q) {
 std::vector<Mistake> float_mistakes() {
   std::vector<Mistake> all = readings(as_float, "rounded to floats");
   const HitFormulas of_rays = {
-      .roots = [](const scene::Ray& ray,
+      .roots = [](const Ray& ray,
                   const Sphere& sphere) { return fast::kCross.roots(ray_of_floats(ray), sphere); },
-      .choose =
-          [](const scene::Ray& ray, const fast::Roots& roots, const scene::Conventions& c) {
-            return usual_choice(ray_of_floats(ray), roots, c);
-          }};
+      .choose = [](const Ray& ray, const fast::Roots& roots,
+                   const Conventions& c) { return usual_choice(ray_of_floats(ray), roots, c); }};
   const auto add = [&](Mistake mistake) { all.push_back(std::move(mistake)); };
   add({.sentence = "rays are rounded to floats", .step = Step::kIntersect, .hits = of_rays});
   add({.sentence = "rays and spheres are rounded to floats",
@@ -284,20 +279,19 @@ std::vector<Mistake> float_mistakes() {
     add({.sentence = what,
          .step = Step::kIntersect,
          .hit = [s = s, Q = Q](auto& ray, auto&, auto hit) { return of_floats(ray, hit, s, Q); }});
-    if (Q)
-      all.back().is_offered = [](const Candidate& c) { return gives_point(c.interface.returns); };
+    if (Q) all.back().is_offered = returns_points;
   }
   add({.sentence = "P is rounded to floats",
        .step = Step::kPixelPoint,
-       .rays = {.point = [](const Camera& c, const scene::Vector3& g) {
-         scene::Point3 P = {c.eye.x + g.x, c.eye.y + g.y, c.eye.z + g.z};
+       .rays = {.point = [](const Camera& c, const Vector3& g) {
+         Point3 P = {c.eye.x + g.x, c.eye.y + g.y, c.eye.z + g.z};
          read_triple(as_float, P);
          return P;
        }}});
   add({.sentence = "D is rounded to floats",
        .step = Step::kRay,
-       .rays = {.direction = [](auto&, auto&, const scene::Vector3& g) {
-         scene::Vector3 D = normalised(g);
+       .rays = {.direction = [](auto&, auto&, const Vector3& g) {
+         Vector3 D = normalised(g);
          read_triple(as_float, D);
          return D;
        }}});

@@ -91,7 +91,7 @@ bool makes_nearly_all(const Fault& fault, const Pictures& pictures, std::uint64_
 std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
   std::uint64_t pixels = 0;
   for (const ShownPicture& one : shown) {
-    const scene::Camera& camera = *one.scene.camera;
+    const Camera& camera = *one.scene.camera;
     if (one.sides_exchanged) {
       pixels += static_cast<std::uint64_t>(camera.width * camera.height);
     } else if (camera.width != camera.height) {

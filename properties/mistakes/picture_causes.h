@@ -82,7 +82,7 @@ std::vector<Explanation> explanations(const Causes& causes);
 
 /// A scene with a camera, and whether a program failed to draw it.
 struct TriedScene {
-  const scene::Scene* scene = nullptr;
+  const Scene* scene = nullptr;
   bool failed = false;
 };
 
@@ -92,7 +92,7 @@ inline constexpr std::size_t kFewestOfEachOutcome = 2;
 /// A property that all scenes on which a program fails have, and no other scene.
 struct ShapeCause {
   std::string sentence;
-  bool (*is)(const scene::Scene&) = nullptr;
+  bool (*is)(const Scene&) = nullptr;
 };
 
 /// The property of all scenes on which a program fails, and of no others: "it fails only where the

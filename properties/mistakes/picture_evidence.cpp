@@ -13,10 +13,10 @@
 
 namespace raycheck::properties {
 
-ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions) {
+ImageAnswer exact_image(const Scene& scene, const Conventions& conventions) {
   const reference::Visibility visibility(
       scene, scene::plan_scene(scene, conventions, scene::Wanted::kNearest));
-  const scene::Camera& camera = *scene.camera;
+  const Camera& camera = *scene.camera;
   std::vector<std::int32_t> spheres(static_cast<std::size_t>(camera.width * camera.height));
   visibility.nearest(0, camera.height, {spheres, {}, {}, {}, {}});
   ImageAnswer image(spheres.size());
@@ -26,9 +26,9 @@ ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& con
   return image;
 }
 
-std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& candidate) {
+std::optional<ShownPicture> shown_picture(Scene scene, const Candidate& candidate) {
   ShownPicture shown = {std::move(scene), {}};
-  const scene::Camera& camera = *shown.scene.camera;
+  const Camera& camera = *shown.scene.camera;
   shown.scene.conventions = candidate.declared.over(shown.scene.conventions);
   try {
     shown.image = candidate.image(shown.scene, shown.scene.conventions);
@@ -42,8 +42,6 @@ std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& c
 }
 
 namespace {
-
-using scene::Pixel;
 
 /// The number of wrong pixels, and of right pixels, in the first sample.
 constexpr std::size_t kSampled = 24;
@@ -169,7 +167,7 @@ std::uint64_t Evidence::left_of(const std::vector<Pixel>& part, const FaultyView
 void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& all) const {
   const ImageAnswer made = view.seen(pixels_);
   const auto rays = view.rays(pixels_);
-  const scene::Scene& taken = view.taken();
+  const Scene& taken = view.taken();
   std::vector<PossibleSight> sights(pixels_.size());
   for (std::size_t k = 0; k < pixels_.size(); ++k) {
     if (!rays[k]) continue;

@@ -32,12 +32,12 @@ class Evidence {
   bool has_background() const;
 
   /// Pixels spread evenly over the picture; all of them if it is small.
-  std::vector<scene::Pixel> some_pixels() const;
+  std::vector<Pixel> some_pixels() const;
 
   /// Some of the pixels, in parts, each spread over the whole picture; the wrong pixels come first.
   /// left_of(): the number of pixels of a part that differ from the fault's picture.
-  std::span<const std::vector<scene::Pixel>> sample() const { return sample_; }
-  std::uint64_t left_of(const std::vector<scene::Pixel>& part, const FaultyView& view) const;
+  std::span<const std::vector<Pixel>> sample() const { return sample_; }
+  std::uint64_t left_of(const std::vector<Pixel>& part, const FaultyView& view) const;
 
   /// How well the roundings of a formula, in addition to the fault, agree with the pixels. Excused
   /// pixels count as right if most pixels are certain.
@@ -49,14 +49,14 @@ class Evidence {
   std::optional<std::uint64_t> left(const FaultyView& view, std::uint64_t most) const;
 
  private:
-  std::uint64_t count_otherwise(const FaultyView& view, const std::vector<scene::Pixel>& pixels,
+  std::uint64_t count_otherwise(const FaultyView& view, const std::vector<Pixel>& pixels,
                                 bool excusing) const;
-  const std::optional<std::size_t>& at(const scene::Pixel& pixel) const;
+  const std::optional<std::size_t>& at(const Pixel& pixel) const;
 
   const ShownPicture* picture_;
   ImageAnswer truth_;
-  std::vector<scene::Pixel> pixels_;
-  std::vector<std::vector<scene::Pixel>> sample_;
+  std::vector<Pixel> pixels_;
+  std::vector<std::vector<Pixel>> sample_;
   std::uint64_t all_errors_ = 0, errors_ = 0;
   bool is_black_ = false;
 };

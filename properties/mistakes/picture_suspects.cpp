@@ -61,7 +61,7 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
   for (const Evidence& one : pictures) {
     scene::poll();
     const FaultyView view(fault, one.picture().scene);
-    for (const std::vector<scene::Pixel>& part : one.sample()) {
+    for (const std::vector<Pixel>& part : one.sample()) {
       missed += one.left_of(part, view);
       sampled += part.size();
       if (missed > kMostLeftOfSample + sampled / share) return {};
@@ -80,15 +80,11 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
 bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
   std::uint64_t different = 0;
   for (const Evidence& one : pictures) {
-    const scene::Scene& scene = one.picture().scene;
+    const Scene& scene = one.picture().scene;
     different += count_otherwise(predicted(a, scene), predicted(b, scene));
     if (different > 1) return false;
   }
   return true;
-}
-
-std::string_view name_of(const Mistake* one) {
-  return one->group.empty() ? std::string_view(one->sentence) : one->group;
 }
 
 /// Keeps the first of suspects that differ only within a group.
@@ -96,9 +92,7 @@ void keep_first_of_groups(std::vector<Suspect>& suspects) {
   std::set<std::vector<std::string_view>> known;
   std::erase_if(suspects, [&](const Suspect& suspect) {
     std::vector<std::string_view> names;
-    for (const Mistake* mistake : suspect.fault) {
-      names.push_back(name_of(mistake));
-    }
+    for (const Mistake* mistake : suspect.fault) names.push_back(mistake->name());
     return !known.insert(names).second;
   });
 }
@@ -114,9 +108,9 @@ void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
 }
 
 /// The camera of a scene, with one sphere beyond the image plane.
-scene::Scene plain(scene::Scene scene) {
-  const scene::Camera& camera = *scene.camera;
-  const scene::Vector3 ahead = normalised(camera.look_at - camera.eye);
+Scene plain(Scene scene) {
+  const Camera& camera = *scene.camera;
+  const Vector3 ahead = normalised(camera.look_at - camera.eye);
   const double way = 4 * std::abs(camera.near);
   scene.spheres = {
       {{camera.eye.x + way * ahead.x, camera.eye.y + way * ahead.y, camera.eye.z + way * ahead.z},
@@ -136,7 +130,7 @@ void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
     std::erase_if(suspects, [&](const Suspect&) { return all[k++] > least; });
   };
   keep([](const Fault& fault) { return fault.front()->hits.rank ? 1U : 0U; });
-  const scene::Scene scene = plain(pictures.front().picture().scene);
+  const Scene scene = plain(pictures.front().picture().scene);
   keep([&](const Fault& fault) {
     return count_otherwise(predicted(fault, scene), predicted({}, scene));
   });
@@ -255,11 +249,11 @@ std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pi
   const std::size_t enough = all.size() / kShareThatShows;
   if (mistakes_that_show(pictures, enough).size() == enough) return pairs;
   std::set<std::string_view> explaining;
-  for (const Suspect& one : singles) explaining.insert(name_of(one.fault.front()));
+  for (const Suspect& one : singles) explaining.insert(one.fault.front()->name());
   for (std::size_t a = 0; a < all.size(); ++a) {
     for (std::size_t b = a + 1; b < all.size(); ++b) {
       const Fault fault = {all[a], all[b]};
-      if (explaining.contains(name_of(all[a])) || explaining.contains(name_of(all[b])) ||
+      if (explaining.contains(all[a]->name()) || explaining.contains(all[b]->name()) ||
           !can_be_together(*all[a], *all[b])) {
         continue;
       }
@@ -279,7 +273,7 @@ std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   for (const Mistake* mistake : shown_in_pictures()) {
     if (!mistake->conventions) continue;
     const bool makes_all = std::all_of(pictures.begin(), pictures.end(), [&](const Evidence& one) {
-      const scene::Scene other = mistaken(*mistake, one.picture().scene);
+      const Scene other = mistaken(*mistake, one.picture().scene);
       return scene::defects(other).empty() &&
              count_otherwise(one.picture().image, exact_image(other, other.conventions)) == 0;
     });

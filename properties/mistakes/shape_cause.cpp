@@ -10,15 +10,13 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Scene;
-
 /// Whether there is a ray that misses all spheres although its line meets one.
 bool has_ray_with_all_behind(const Scene& scene) {
   const auto rays = right_candidate().rays_from(scene.conventions.origin)(
       *scene.camera, scene.conventions, all_pixels(*scene.camera));
-  return std::any_of(rays.begin(), rays.end(), [&](const scene::Ray& ray) {
+  return std::any_of(rays.begin(), rays.end(), [&](const Ray& ray) {
     bool is_behind = false;
-    for (const scene::Sphere& sphere : scene.spheres) {
+    for (const Sphere& sphere : scene.spheres) {
       const fast::Roots roots = fast::kCross.roots(ray, sphere);
       if (!(roots.half_chord_sq >= 0)) continue;
       if (roots.larger >= 0) return false;
@@ -34,16 +32,16 @@ bool are_whole(std::initializer_list<double> numbers) {
 bool are_whole(const auto& triple) { return are_whole({triple.x, triple.y, triple.z}); }
 
 bool has_fractions_in_view(const Scene& s) {
-  const scene::Camera& its = *s.camera;
+  const Camera& its = *s.camera;
   return !(are_whole(its.eye) && are_whole(its.look_at) && are_whole(its.up));
 }
 bool has_fraction_in_near(const Scene& s) { return !are_whole({s.camera->near}); }
 bool has_fractions_in_bounds(const Scene& s) {
-  const scene::Camera& its = *s.camera;
+  const Camera& its = *s.camera;
   return !are_whole({its.left, its.right, its.bottom, its.top});
 }
 bool has_fractions_in_spheres(const Scene& s) {
-  return std::any_of(s.spheres.begin(), s.spheres.end(), [](const scene::Sphere& its) {
+  return std::any_of(s.spheres.begin(), s.spheres.end(), [](const Sphere& its) {
     return !(are_whole(its.centre) && are_whole({its.radius}));
   });
 }
@@ -77,8 +75,7 @@ constexpr Shape kShapes[] = {
     {"bottom is not -top", is_uneven_upwards, true},
     {"left is not -right and bottom is not -top",
      [](const Scene& s) { return is_uneven_across(s) && is_uneven_upwards(s); }, true},
-    {"the eye is not at the origin",
-     [](const Scene& s) { return !(s.camera->eye == scene::Point3{}); }},
+    {"the eye is not at the origin", [](const Scene& s) { return !(s.camera->eye == Point3{}); }},
     {"everything that a ray's line meets is behind the ray's origin", has_ray_with_all_behind},
     {"some number has a fraction", has_fractions},
     {"eye, look or up has a fraction", has_fractions_in_view, true},

@@ -7,12 +7,12 @@
 namespace raycheck::properties {
 
 /// The exact nearest sphere of each pixel. Domain: a scene with a camera.
-ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions);
+ImageAnswer exact_image(const Scene& scene, const Conventions& conventions);
 
 /// A renderer's picture of a scene with a camera, under the conventions of that scene: one answer
 /// for every pixel, which may be kSomeSphere.
 struct ShownPicture {
-  scene::Scene scene;
+  Scene scene;
   ImageAnswer image;
   /// Whether the picture has width and height exchanged; then `image` is empty.
   bool sides_exchanged = false;
@@ -20,6 +20,6 @@ struct ShownPicture {
 
 /// A candidate's picture of a scene, under the conventions by which it is judged; empty if it
 /// fails.
-std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& candidate);
+std::optional<ShownPicture> shown_picture(Scene scene, const Candidate& candidate);
 
 }  // namespace raycheck::properties

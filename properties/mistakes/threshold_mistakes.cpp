@@ -16,10 +16,6 @@ namespace raycheck::properties {
 namespace {
 
 using fast::Roots;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
-using scene::Vector3;
 
 /// The sizes of a group, beginning with the one that drops the fewest answers.
 constexpr std::array<const char*, 11> kSizes = {"1e-10", "1e-9",  "1e-8", "1e-7", "1e-6", "1e-5",
@@ -33,7 +29,7 @@ struct ThresholdGroup {
   const char* after;
   std::string_view group;
   std::span<const char* const> sizes;
-  Hit (*choose)(double size, const Ray&, const Roots&, const Conventions&);
+  Hit (*choose)(double size, const Ray&, const Roots&, const Conventions&);  ///< Null: as usual.
   Roots (*roots)(double size, const Ray&, const Sphere&) = nullptr;
   bool shows_in_pictures = true;
   /// Whether s is in multiples of P - E, because directions are not normalised.
@@ -123,11 +119,7 @@ const ThresholdGroup kGroups[] = {
      },
      nullptr, false},
     {"hits are found by marching, which stops when a sphere is nearer than about ", "", "marched",
-     kSizes,
-     [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
-       return usual_choice(ray, roots, c);
-     },
-     marched_roots, false},
+     kSizes, nullptr, marched_roots, false},
     {"a d^2 below about ",
      " (the limit may be larger) is replaced by that: the epsilon is too large", "least chords",
      kSizes,
@@ -140,11 +132,7 @@ const ThresholdGroup kGroups[] = {
     {"rays that pass less than about ",
      " radii (the limit may be larger) inside a sphere's outline miss it: the tolerance is too "
      "large",
-     "shallow chords", kSizes,
-     [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
-       return usual_choice(ray, roots, c);
-     },
-     roots_of_inner, false},
+     "shallow chords", kSizes, nullptr, roots_of_inner, false},
     {"directions with a |D|^2 below about ",
      " (the limit may be larger) hit nothing: the epsilon is too large", "short directions", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
@@ -167,8 +155,7 @@ Mistake point_outside(const char* distance) {
                              hit.point.z + share * N.z};
                 return hit;
               },
-          .is_offered =
-              [](const Candidate& candidate) { return gives_point(candidate.interface.returns); }};
+          .is_offered = returns_points};
 }
 
 /// Axes and directions from vectors that are not normalised, or become 0, if |v|^2 is below
@@ -178,18 +165,15 @@ Mistake short_vectors(const char* least, bool are_zero) {
     const double length = norm(v);
     return length * length >= size ? normalised(v) : are_zero ? Vector3{} : v;
   };
-  const auto across = [](const Vector3& a, const Vector3& b) {
-    return Vector3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  };
   return {
       .sentence = std::string("vectors with a squared length below about ") + least +
                   " (the limit may be larger) are " +
                   (are_zero ? "taken for 0" : "not normalised") + ": the epsilon is too large",
       .step = Step::kFrame,
       .rays = {.frame =
-                   [=](const scene::Camera& camera) {
+                   [=](const Camera& camera) {
                      const Vector3 W = unit(camera.eye - camera.look_at);
-                     const Vector3 U = unit(across(camera.up, W)), V = across(W, U);
+                     const Vector3 U = unit(cross(camera.up, W)), V = cross(W, U);
                      return FrameAnswer{{U.x, U.y, U.z}, {V.x, V.y, V.z}, {W.x, W.y, W.z}};
                    },
                .direction = [=](const auto&, const auto&, const Vector3& g) { return unit(g); }},
@@ -207,7 +191,8 @@ std::vector<Mistake> threshold_mistakes() {
   for (const char* size : kSizes) all.push_back(point_outside(size));
   for (const auto& [before, after, group, sizes, choose, roots, shows, of_steps] : kGroups) {
     for (const char* size : sizes) {
-      HitFormulas hits = {.choose = std::bind_front(choose, std::atof(size))};
+      HitFormulas hits = {.choose = usual_choice};
+      if (choose) hits.choose = std::bind_front(choose, std::atof(size));
       if (roots) hits.roots = std::bind_front(roots, std::atof(size));
       all.push_back({.sentence = std::string(before) + size + after,
                      .step = Step::kIntersect,
@@ -216,7 +201,7 @@ std::vector<Mistake> threshold_mistakes() {
                      .group = group});
       if (!of_steps) continue;
       all.back().is_offered = never_of_functions;
-      all.back().rays.direction = [](auto&, auto&, const scene::Vector3& g) { return g; };
+      all.back().rays.direction = [](auto&, auto&, const Vector3& g) { return g; };
     }
   }
   return all;

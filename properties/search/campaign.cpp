@@ -3,7 +3,6 @@
 #include <rapidcheck/Random.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <compare>
 #include <map>
@@ -143,6 +142,15 @@ class AskedCase {
   const Candidate* candidate_ = nullptr;
   std::optional<Trials> trials_;
 };
+
+CampaignResult result_of(LawSearch& search) {
+  CampaignResult result;
+  result.fewest_right = 0;
+  result.counts = search.part.counts;
+  result.verdict = search.part.verdict;
+  result.failure = std::move(search.failure);
+  return result;
+}
 
 }  // namespace
 
@@ -454,19 +462,6 @@ Replay parse_replay(std::string_view text) {
   }
   return replay;
 }
-
-namespace {
-
-CampaignResult result_of(LawSearch& search) {
-  CampaignResult result;
-  result.fewest_right = 0;
-  result.counts = search.part.counts;
-  result.verdict = search.part.verdict;
-  result.failure = std::move(search.failure);
-  return result;
-}
-
-}  // namespace
 
 CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
                         std::optional<double> max_error, bool strict) {

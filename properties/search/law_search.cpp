@@ -1,6 +1,5 @@
 #include "properties/search/law_search.h"
 
-#include <algorithm>
 #include <charconv>
 #include <utility>
 

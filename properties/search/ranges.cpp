@@ -21,17 +21,17 @@ namespace {
 /// The index of a number among the numbers of a format; 0 has the index 0.
 using Rank = std::int64_t;
 
-Rank rank_of(scene::Precision precision, double x) {
+Rank rank_of(Precision precision, double x) {
   const double size = std::abs(x);
-  const Rank rank = precision == scene::Precision::kDouble
+  const Rank rank = precision == Precision::kDouble
                         ? std::bit_cast<Rank>(size)
                         : std::bit_cast<std::int32_t>(static_cast<float>(size));
   return x < 0 ? -rank : rank;
 }
 
-double number_at(scene::Precision precision, Rank rank) {
+double number_at(Precision precision, Rank rank) {
   const Rank size = std::abs(rank);
-  const double x = precision == scene::Precision::kDouble
+  const double x = precision == Precision::kDouble
                        ? std::bit_cast<double>(size)
                        : std::bit_cast<float>(static_cast<std::int32_t>(size));
   return rank < 0 ? -x : x;
@@ -52,7 +52,7 @@ void name_numbers(const std::string& name, Thing& thing, NamedNumbers& numbers) 
   });
 }
 
-NamedNumbers named_numbers(scene::Scene& scene, bool with_directions) {
+NamedNumbers named_numbers(Scene& scene, bool with_directions) {
   NamedNumbers numbers;
   const auto name_each = [&](const std::string& name, auto& list) {
     for (std::size_t k = 0; k < list.size(); ++k) {
@@ -80,7 +80,7 @@ class RangeSearch {
         max_error_(max_error),
         strict_(strict),
         case_(shrunk),
-        last_(rank_of(candidate.precision, candidate.precision == scene::Precision::kDouble
+        last_(rank_of(candidate.precision, candidate.precision == Precision::kDouble
                                                ? std::numeric_limits<double>::max()
                                                : std::numeric_limits<float>::max())) {}
 

@@ -21,43 +21,6 @@ void keep_first_of_each(std::vector<Example>& found, Example one) {
   if (!is_known) found.push_back(std::move(one));
 }
 
-}  // namespace
-
-std::optional<Case> case_of_stage(const Case& the_case, Stage stage, const Candidate& rays) {
-  if (stage == Stage::kRays) {
-    return the_case.scene.camera ? std::optional(the_case) : std::nullopt;
-  }
-  if (the_case.scene.spheres.empty()) return std::nullopt;
-  if (!the_case.scene.camera) return the_case;
-  Case result;
-  result.scene.spheres = the_case.scene.spheres;
-  result.scene.conventions = the_case.scene.conventions;
-  const auto& make = rays.rays_from(the_case.scene.conventions.origin);
-  if (!make) return std::nullopt;
-  for (const scene::Ray& ray :
-       make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
-    if (scene::defects(ray).empty()) result.scene.rays.push_back(ray);
-  }
-  return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
-}
-
-RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays,
-                          InputFormat format) {
-  RoundedCase rounded = rounded_case(the_case, format);
-  if (!rounded.the_case) return rounded;
-  std::optional<Case> asked = case_of_stage(*rounded.the_case, stage, rays);
-  return asked ? rounded_case(*std::move(asked), format) : RoundedCase{};
-}
-
-void StressResult::merge(StressResult other) {
-  inside.merge(std::move(other.inside));
-  outside.merge(std::move(other.outside));
-  for (Example& one : other.found) keep_first_of_each(found, std::move(one));
-  left_out += other.left_out;
-}
-
-namespace {
-
 /// Judges the candidates of one format.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             InputFormat format, std::vector<StressResult>& results) {
@@ -98,6 +61,38 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
 }
 
 }  // namespace
+
+std::optional<Case> case_of_stage(const Case& the_case, Stage stage, const Candidate& rays) {
+  if (stage == Stage::kRays) {
+    return the_case.scene.camera ? std::optional(the_case) : std::nullopt;
+  }
+  if (the_case.scene.spheres.empty()) return std::nullopt;
+  if (!the_case.scene.camera) return the_case;
+  Case result;
+  result.scene.spheres = the_case.scene.spheres;
+  result.scene.conventions = the_case.scene.conventions;
+  const auto& make = rays.rays_from(the_case.scene.conventions.origin);
+  if (!make) return std::nullopt;
+  for (const Ray& ray : make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
+    if (scene::defects(ray).empty()) result.scene.rays.push_back(ray);
+  }
+  return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
+}
+
+RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays,
+                          InputFormat format) {
+  RoundedCase rounded = rounded_case(the_case, format);
+  if (!rounded.the_case) return rounded;
+  std::optional<Case> asked = case_of_stage(*rounded.the_case, stage, rays);
+  return asked ? rounded_case(*std::move(asked), format) : RoundedCase{};
+}
+
+void StressResult::merge(StressResult other) {
+  inside.merge(std::move(other.inside));
+  outside.merge(std::move(other.outside));
+  for (Example& one : other.found) keep_first_of_each(found, std::move(one));
+  left_out += other.left_out;
+}
 
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             std::vector<StressResult>& results) {

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kClimbs = 4;
 
 /// x with its significand, exponent or sign changed, in a format.
-double changed(double x, scene::Precision precision, Random& random) {
+double changed(double x, Precision precision, Random& random) {
   const auto kind = random.integer(0, 9);
   if (kind == 0) return -x;
   if (kind <= 3) return std::ldexp(x, static_cast<int>(random.integer(-3, 3)));

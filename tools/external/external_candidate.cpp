@@ -35,9 +35,7 @@ struct AnswerFailure {
     if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
-    if (kind == FailureKind::kTimeUp) throw properties::NoReply(words, line);
-    if (line) throw properties::FailedAtLine(words, *line);
-    throw properties::CandidateFailed(words);
+    throw properties::CandidateFailed(words, line, kind == FailureKind::kTimeUp);
   }
 };
 

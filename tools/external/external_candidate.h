@@ -70,11 +70,11 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 
 /// A candidate that runs in a separate process, which never receives a reference answer. Its level
 /// is kOrdinary unless it declares another. If the process ends, times out or sends a malformed
-/// reply, the functions throw std::runtime_error with the name of the function, or
-/// properties::FailedAtLine if the source line is known. A failed request is not sent again; the
-/// next request goes to a fresh process. The functions throw properties::CandidateUnavailable if no
-/// process can be started, or after time-outs that add up to kMostTimeouts times the time limit for
-/// a reply. Every failure sets `last`.
+/// reply, the functions throw properties::CandidateFailed with the name of the function, and the
+/// source line if it is known. A failed request is not sent again; the next request goes to a fresh
+/// process. The functions throw properties::CandidateUnavailable if no process can be started, or
+/// after time-outs that add up to kMostTimeouts times the time limit for a reply. Every failure
+/// sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
 

@@ -66,7 +66,7 @@ std::vector<properties::NearestHitError> errors_of(properties::Trial& trial,
     }
   }
   std::vector<properties::NearestHitError> found;
-  for (const auto& half : trial.failed_parts().halves(trial)) {
+  for (const auto& half : trial.halves()) {
     const auto some = errors_of(
         half->trial, seen.subspan(found.size(), half->the_case.pixels.size()), search, counts);
     found.insert(found.end(), some.begin(), some.end());

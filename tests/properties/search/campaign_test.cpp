@@ -197,7 +197,7 @@ TEST(Campaign, JudgesAFailureThatIsNotRepeated) {
       std::vector<SphereHits> answers = kGood.intersect(of...);
       const bool fails = !has_failed && !answers.empty() && !answers[0].empty();
       has_failed = has_failed || fails;
-      if (fails && times_out) throw NoReply("no reply", {});
+      if (fails && times_out) throw CandidateFailed("no reply", {}, true);
       if (fails) answers[0].clear();
       return answers;
     };
