@@ -34,7 +34,7 @@ class FormatReader {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
     fields_.require_known(from, {"title", "source", "endings", "comments", "separators", "joint",
-                                 "lines", "exponents", "template", "ignored", "refused",
+                                 "lines", "exponents", "digits", "template", "ignored", "refused",
                                  "conventions", "fixed", "default", "variant"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
@@ -47,6 +47,9 @@ class FormatReader {
       format_.endings = fields_.texts(*field);
     }
     if (const auto field = fields_.optional(from, "lines")) format_.by_lines = fields_.flag(*field);
+    if (const auto field = fields_.optional(from, "digits")) {
+      format_.digits = std::clamp(static_cast<int>(fields_.number(*field)), 1, 17);
+    }
     if (const auto field = fields_.optional(from, "exponents")) {
       format_.has_exponents = fields_.flag(*field);
     }
@@ -147,7 +150,11 @@ class FormatReader {
         const std::string slot = text.substr(at + 1, end - at - 1);
         const std::size_t colon = std::min(slot.find(':'), slot.size());
         FormatPart part{"", slot.substr(0, colon), slot.substr(std::min(colon + 1, slot.size()))};
-        if (!is_known(part.slot)) fields_.fail(field, "{" + part.slot + "} is not a slot");
+        const bool is_unit = part.written == kUnit && (part.slot == "view" || part.slot == "up");
+        if (!is_known(part.slot) ||
+            !(part.written.empty() || is_unit || kWithoutMeaning.contains(part.slot))) {
+          fields_.fail(field, "{" + slot + "} is not a slot");
+        }
         result.is_of_sphere = result.is_of_sphere || kOfSpheres.contains(part.slot);
         result.parts.push_back(std::move(part));
         at = end + 1;

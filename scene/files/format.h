@@ -19,10 +19,12 @@ namespace raycheck::scene {
 
 /// A part of a statement: a literal word, or a slot.
 struct FormatPart {
-  std::string word;     ///< A literal word; empty: a slot.
-  std::string slot;     ///< "eye"; "_": any word; "*": any number of words.
-  std::string written;  ///< What is written in a slot that has no meaning: {_:1}.
+  std::string word;  ///< A literal word; empty: a slot.
+  std::string slot;  ///< "eye"; "_": any word; "*": any number of words.
+  /// What is written in a slot that has no meaning: {_:1}; kUnit: a vector of length 1, {up:unit}.
+  std::string written;
 };
+inline constexpr std::string_view kUnit = "unit";
 
 /// A keyword, and what comes after it.
 struct FormatStatement {
@@ -42,6 +44,7 @@ struct FileFormat {
   std::string joint = " ";            ///< What is written between the numbers of a vector.
   bool by_lines = true;               ///< Whether a statement ends with its line.
   bool has_exponents = true;          ///< Whether numbers may be written with an exponent.
+  int digits = 0;                     ///< To which numbers are rounded; 0: none is rounded.
   std::vector<FormatStatement> statements;
   /// Keywords that are left out, and what they are called in reports; keywords of what raycheck
   /// cannot read, and what that is.
@@ -87,9 +90,12 @@ LoadedScene read_formatted(const FileFormat& format, std::string_view text, std:
 /// Domain: a valid scene with a camera.
 std::string why_not_expressed(const FileFormat& format, const Scene& scene);
 
-/// A file of the format; sphere k has the colour `colours[k]`, each part from 0 to 1, or white.
-/// Domain: why_not_expressed() is empty. Error: an angle is rounded, and so is A - E in a format
-/// with view directions.
+/// A file of the format; sphere k has the colour `colours[k]`, each part from 0 to 1, or white. If
+/// the format's camera has a fixed eye, view direction or up vector, the scene is moved so that its
+/// camera has them, which changes no picture.
+/// Domain: why_not_expressed() is empty. Error: an angle is rounded, and so are A - E in a format
+/// with view directions, vectors of length 1, centres that are moved, and all numbers in a format
+/// with fewer digits.
 std::string write_formatted(const FileFormat& format, const Scene& scene,
                             std::span<const std::array<double, 3>> colours = {});
 

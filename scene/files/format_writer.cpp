@@ -1,5 +1,6 @@
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "scene/files/format.h"
 #include "scene/number.h"
@@ -61,10 +62,64 @@ bool has_square_pixels(const Camera& camera) {
   return std::abs(across - down) <= 0x1p-50 * std::abs(down);
 }
 
+using Axes = std::array<Vector3, 3>;
+
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vector3 unit(const Vector3& a) {
+  const double length = std::hypot(a.x, a.y, a.z);
+  return {a.x / length, a.y / length, a.z / length};
+}
+
+/// U, V and -W of a camera.
+Axes axes_of(const Camera& camera) {
+  const Vector3 view = unit(camera.look_at - camera.eye);
+  const Vector3 right = unit(cross(view, camera.up));
+  return {right, cross(right, view), view};
+}
+
+/// The camera with the format's fixed eye, view direction and up vector.
+Camera fixed_pose(const FileFormat& format, Camera camera) {
+  Vector3 view = camera.look_at - camera.eye;
+  const auto take = [&](const char* slot, auto& to) {
+    if (const auto found = format.fixed.find(slot); found != format.fixed.end()) {
+      to = {found->second[0], found->second[1], found->second[2]};
+    }
+  };
+  take("eye", camera.eye);
+  take("view", view);
+  take("up", camera.up);
+  if (format.fixed.contains("eye") || format.fixed.contains("view")) {
+    camera.look_at = {camera.eye.x + view.x, camera.eye.y + view.y, camera.eye.z + view.z};
+  }
+  return camera;
+}
+
+/// The scene, moved so that its camera has the fixed pose.
+Scene posed(const FileFormat& format, Scene scene) {
+  const Camera before = *scene.camera;
+  const Camera after = fixed_pose(format, before);
+  if (before == after) return scene;
+  scene.camera = after;
+  const Axes from = axes_of(before), to = axes_of(after);
+  for (Sphere& sphere : scene.spheres) {
+    const Vector3 at = sphere.centre - before.eye;
+    sphere.centre = after.eye;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      const double along = dot(at, from[k]);
+      sphere.centre = {sphere.centre.x + along * to[k].x, sphere.centre.y + along * to[k].y,
+                       sphere.centre.z + along * to[k].z};
+    }
+  }
+  return scene;
+}
+
 class FormattedWriter {
  public:
-  FormattedWriter(const FileFormat& format, const Scene& scene, std::span<const Colour> colours)
-      : format_(format), scene_(scene), colours_(colours) {}
+  FormattedWriter(const FileFormat& format, Scene scene, std::span<const Colour> colours)
+      : format_(format), scene_(std::move(scene)), colours_(colours) {}
 
   std::string write() const {
     std::string text;
@@ -101,7 +156,7 @@ class FormattedWriter {
   std::string value_of(const std::string& slot, const std::string& written,
                        std::size_t sphere) const {
     if (slot == "_" || slot == "*") return written;
-    if (slot == "image") return "image";
+    if (slot == "image") return "image.ppm";
     if (slot == "count") return std::to_string(scene_.spheres.size());
     if (slot == "index") return std::to_string(sphere);
     if (slot == "name") return "sphere" + std::to_string(sphere);
@@ -110,10 +165,20 @@ class FormattedWriter {
       const Colour colour = sphere < colours_.size() ? colours_[sphere] : Colour{1, 1, 1};
       numbers = of_sphere(slot, scene_.spheres[sphere], colour);
     }
+    if (written == kUnit) {
+      const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
+      for (double& x : numbers) x /= length;
+    }
     return joined(numbers, format_.joint, [&](double x) { return number(x); });
   }
 
   std::string number(double x) const {
+    if (format_.digits > 0) {
+      std::array<char, 32> rounded{};
+      const auto end = std::to_chars(rounded.data(), rounded.data() + rounded.size(), x,
+                                     std::chars_format::general, format_.digits);
+      std::from_chars(rounded.data(), end.ptr, x);
+    }
     if (format_.has_exponents) return shortest(x);
     std::array<char, 1100> text{};
     const auto end =
@@ -122,7 +187,7 @@ class FormattedWriter {
   }
 
   const FileFormat& format_;
-  const Scene& scene_;
+  const Scene scene_;
   std::span<const Colour> colours_;
 };
 
@@ -140,8 +205,12 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
   if (format.has("size") && camera.width != camera.height) {
     return its + " can express only images with width = height";
   }
+  const Camera pose = fixed_pose(format, camera);
+  if (cross(pose.look_at - pose.eye, pose.up) == Vector3{}) {
+    return its + " has a fixed up vector, along which the camera looks";
+  }
   for (const auto& [slot, numbers] : format.fixed) {
-    const Numbers wanted = of_camera(slot, camera);
+    const Numbers wanted = of_camera(slot, pose);
     if (slot == "near" && format.has_angle()) continue;  // only its ratio to the window matters
     const bool is_angle = angle_slot(slot).has_value();
     if (is_angle && std::abs(wanted[0] - numbers[0]) <= 1e-12 * std::abs(numbers[0])) continue;
@@ -154,7 +223,7 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
 
 std::string write_formatted(const FileFormat& format, const Scene& scene,
                             std::span<const Colour> colours) {
-  return FormattedWriter(format, scene, colours).write();
+  return FormattedWriter(format, posed(format, scene), colours).write();
 }
 
 }  // namespace raycheck::scene

@@ -108,10 +108,10 @@ class TomlFields {
 };
 
 /// The conventions that a table sets, in a scene or another file. If one field of valid roots is
-/// given, all count as declared. The caller reads the choice of the name `except`.
+/// given, all count as declared. The caller reads the choices of the names `except`.
 template <typename Conventions>
 void read_conventions(TomlFields& fields, const TomlFields::Table& from, Conventions& conventions,
-                      std::string_view except = {}) {
+                      std::span<const std::string_view> except = {}) {
   ValidRoots valid = std::optional<ValidRoots>(conventions.valid).value_or(ValidRoots{});
   std::vector<std::string_view> known;
   const auto note = [&](std::string_view key, auto&) { known.push_back(key); };
@@ -121,7 +121,7 @@ void read_conventions(TomlFields& fields, const TomlFields::Table& from, Convent
 
   for_each_choice(conventions, [&](std::string_view key, auto& choice) {
     using Choice = std::remove_cvref_t<decltype(choice)>;
-    if (key == except) return;
+    if (std::ranges::find(except, key) != except.end()) return;
     if constexpr (std::is_enum_v<Choice>) {
       fields.choose(from, key, names_of(choice), choice);
     } else {

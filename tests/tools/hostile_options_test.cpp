@@ -256,7 +256,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --candidate command:./nosuchprogram", "there is no program './nosuchprogram'"},
     {"check FAR --candidate 'renderer:nosuchprogram {scene} {image}'",
      "there is no program 'nosuchprogram'"},
-    {"check FAR --candidate 'renderer:./rt {scene}'", "{image} is missing"},
+    {"check FAR --candidate 'renderer:./rt {image}'", "{scene} is missing"},
     {"check FAR --candidate command:true",
      "it exited with 0 before it printed 'raycheck 1 NAME'; a program that uses "
      "raycheck_candidate must end with a call of run()"},

@@ -212,10 +212,8 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
 }
 
 External renderer(const CandidateSpec& spec, const RunOptions& options) {
-  for (const char* mark : {"{scene}", "{image}"}) {
-    if (spec.what.find(mark) == std::string::npos) {
-      throw CandidateError(fmt::format("{} is missing", mark));
-    }
+  if (spec.what.find("{scene}") == std::string::npos) {
+    throw CandidateError("{scene} is missing");
   }
   ReadableCopies copies(options.layers);
   const Confined program = program_of(spec.what, options, copies);

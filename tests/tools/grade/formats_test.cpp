@@ -78,5 +78,59 @@ cases = 6
   expect_parts(wrong.err, {"ours.toml:5: template = ", "{eyes} is not a slot"});
 }
 
+/// Where pixels are sampled may be open.
+TEST(SceneFormats, may_leave_samples_open) {
+  const Grading grading;
+  const std::string rubric = grading.write("rubric.toml", R"([driver]
+preset = "nff"
+[conventions]
+samples = "either"
+[[form]]
+has = "rt.py"
+candidate = "renderer:python3 rt.py {scene} {image}"
+)" + item_of("pictures", "points = 10", R"([item.pictures]
+judge = "spheres"
+sources = ["course"]
+cases = 2
+)"));
+  const std::string centres = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py");
+  const std::string corners = replaced(replaced(centres, "(i + 0.5)", "i"), "(j + 0.5)", "j");
+  const std::string mixed = replaced(centres, "(i + 0.5)", "i");
+  grading.grade(
+      rubric,
+      {grading.hand_in("centres", "rt.py", centres), grading.hand_in("corners", "rt.py", corners),
+       grading.hand_in("mixed", "rt.py", mixed)},
+      "out", kLimitsOnly);
+  EXPECT_EQ(grading.result("centres")["score"], 10);
+  EXPECT_EQ(grading.result("corners")["score"], 10);
+  EXPECT_EQ(grading.result("mixed")["score"], 0);
+}
+
+/// A renderer that takes only the scene, and chooses the picture's name.
+TEST(SceneFormats, may_be_all_that_a_renderer_is_told) {
+  const Grading grading;
+  const std::string rubric = grading.write("rubric.toml", R"([driver]
+preset = "nff"
+[[form]]
+has = "rt.py"
+candidate = "renderer:python3 rt.py {scene}"
+)" + item_of("pictures", "points = 10", R"([item.pictures]
+judge = "spheres"
+sources = ["course"]
+cases = 2
+)"));
+  const std::string text =
+      replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
+               "([\"\"] + sys.argv[1:])[-3:]", "\"\", sys.argv[1], \"balls.ppm\"");
+  const std::string right = grading.hand_in("right", "rt.py", text);
+  const std::string silent =
+      grading.hand_in("silent", "rt.py", replaced(text, "\"balls.ppm\"", "\"balls\""));
+  grading.grade(rubric, {right, silent}, "out", kLimitsOnly);
+  EXPECT_EQ(grading.result("right")["score"], 10);
+  EXPECT_TRUE(grading.result("right")["notes"].empty());
+  EXPECT_EQ(grading.result("silent")["refused"]["why"],
+            "it exited with 0, but did not write a picture");
+}
+
 }  // namespace
 }  // namespace raycheck::tests

@@ -67,7 +67,7 @@ class DryRunner {
                       "is not initialised",
                       unsteady_->text()));
     }
-    if (!chosen.made->other_name.empty()) {
+    if (!chosen.made->other_name.empty() && renderer_.is_told_name()) {
       found.notes.push_back(
           fmt::format("it writes {} and ignores the given file name", chosen.made->other_name));
     }
@@ -150,8 +150,33 @@ class DryRunner {
 
   Attempt find_form() {
     Attempt first = attempt(rule_.form);
-    if (const auto found = steady(first)) return *found;
+    if (const auto found = steady(first)) {
+      if (rule_.form.format == nullptr || !rule_.tries_others || tells_spheres(*found)) {
+        return *found;
+      }
+      return that_tells_spheres(*found);
+    }
     return rule_.tries_others ? best_of_all(std::move(first)) : first;
+  }
+
+  bool tells_spheres(const Attempt& read) {
+    DryRun found;
+    found.driver = read.form;
+    found.colours.background = background_of(read.made->picture);
+    find_colours(found);
+    return found.colours.tells_spheres;
+  }
+
+  /// A program that expects more numbers of a colour than a form has draws the spheres, but not in
+  /// their colours. Returns the first variant in whose pictures colours identify the spheres.
+  Attempt that_tells_spheres(const Attempt& read) {
+    for (const DriverForm& form : known_forms(rule_.form)) {
+      if (form == rule_.form) continue;
+      if (control_.interrupted() || timed_out_ >= kMostTimeouts) break;
+      const auto found = steady(attempt(form));
+      if (found && tells_spheres(*found)) return *found;
+    }
+    return read;
   }
 
   /// Given a form that is certainly read: returns the fullest similar form that is also read, else

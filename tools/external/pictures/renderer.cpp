@@ -187,10 +187,19 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
   }
   throw ProcessFailure(
       FailureKind::kBadReply,
-      fmt::format("it exited with 0, but did not write its picture, {}", kImageFile), said);
+      renderer.is_told_name()
+          ? fmt::format("it exited with 0, but did not write its picture, {}", kImageFile)
+          : "it exited with 0, but did not write a picture",
+      said);
 }
 
 }  // namespace
+
+bool Renderer::is_told_name() const {
+  return std::ranges::any_of(program.arguments, [](const std::string& word) {
+    return word.find("{image}") != std::string::npos;
+  });
+}
 
 std::string driver_text(const scene::Scene& scene, const DriverForm& form) {
   return driver_text(scene, form, SphereColours(scene.spheres.size()).all());

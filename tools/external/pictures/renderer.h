@@ -28,7 +28,8 @@ inline constexpr const char* kImageFile = "image.ppm";
 inline constexpr int kCannotExpress = 77;
 
 /// A finished renderer. Its command line is run once per picture; {scene} stands for a scene
-/// file, {image} for the picture to make (PPM or PNG), {width} and {height} for its size.
+/// file, {image} for the picture to make (PPM or PNG), {width} and {height} for its size. Without
+/// {image}, the program chooses the name, or takes it from the scene file.
 struct Renderer {
   Confined program;
   /// The command that confirms exit code kCannotExpress: if `program` exits with it and makes no
@@ -43,6 +44,9 @@ struct Renderer {
   /// The number of time-outs after which it is no longer started.
   int most_timeouts = kMostTimeouts;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
+
+  /// Whether its arguments contain the picture's name.
+  bool is_told_name() const;
 };
 
 /// The driver file of a scene, with colours that identify the spheres. Domain: it has a camera.

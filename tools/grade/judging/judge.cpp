@@ -267,16 +267,33 @@ class Judge {
 
 std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control) {
-  if (!rubric.rows_either) return Judge(rubric, std::move(judged), seed, control).judge();
+  using scene::Rows, scene::Samples;
+  const auto declared = rubric.conventions;
+  std::vector<properties::DeclaredConventions> all = {declared};
+  if (rubric.rows_either) {
+    all.assign(2, declared);
+    all[0].rows = Rows::kBottomFirst;
+    all[1].rows = Rows::kTopFirst;
+  }
+  if (rubric.samples_either) {
+    const auto of_rows = std::exchange(all, {});
+    for (const Samples samples : {Samples::kEdges, Samples::kCentres, Samples::kCorners}) {
+      for (const properties::DeclaredConventions& one : of_rows) {
+        all.push_back(one);
+        all.back().samples = samples;
+      }
+    }
+  }
+  if (all.size() == 1) return Judge(rubric, std::move(judged), seed, control).judge();
   std::vector<ItemGrade> best;
   const auto lost = [](const std::vector<ItemGrade>& grades) {
     return std::accumulate(grades.begin(), grades.end(), 0.0, [](double sum, const ItemGrade& one) {
       return sum + one.points - one.score;
     });
   };
-  for (const scene::Rows rows : {scene::Rows::kBottomFirst, scene::Rows::kTopFirst}) {
+  for (const properties::DeclaredConventions& conventions : all) {
     Rubric either = rubric;
-    either.conventions.rows = rows;
+    either.conventions = conventions;
     std::vector<ItemGrade> grades = Judge(either, judged, seed, control).judge();
     if (best.empty() || lost(grades) < lost(best)) best = std::move(grades);
     if (lost(best) == 0) break;

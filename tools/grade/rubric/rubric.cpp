@@ -70,10 +70,14 @@ class RubricReader {
     }
     if (const auto field = fields_.optional(file, "conventions")) {
       const Table conventions = fields_.table(*field);
-      const auto rows = fields_.optional(conventions, "rows");
-      rubric.rows_either = rows && rows->node.value<std::string_view>() == "either";
-      scene::read_conventions(fields_, conventions, rubric.conventions,
-                              rubric.rows_either ? "rows" : "");
+      std::vector<std::string_view> either;
+      for (const auto& [key, is_either] :
+           {std::pair("rows", &rubric.rows_either), std::pair("samples", &rubric.samples_either)}) {
+        const auto choice = fields_.optional(conventions, key);
+        *is_either = choice && choice->node.value<std::string_view>() == "either";
+        if (*is_either) either.emplace_back(key);
+      }
+      scene::read_conventions(fields_, conventions, rubric.conventions, either);
     }
     if (const auto field = fields_.optional(file, "tolerance")) tolerance_ = tolerance(*field);
     for (const Table& each : fields_.tables(file, "form")) rubric.forms.push_back(form(each));

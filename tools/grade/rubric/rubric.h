@@ -137,6 +137,8 @@ struct Rubric {
   /// These override the conventions that a submission declares.
   properties::DeclaredConventions conventions;
   bool rows_either = false;  ///< Whether either image row may be j = 0 (rows = "either").
+  /// Whether pixels may be sampled at edges, centres or corners (samples = "either").
+  bool samples_either = false;
   double seconds = 120;      ///< For all questions to a submission.
   double reply_seconds = 5;  ///< For one reply, or one picture.
   double build_seconds = 120;
