@@ -81,7 +81,7 @@ void add_dialect(CLI::App& command, std::string& dialect) {
   command.add_option(
       "--dialect", dialect,
       "the format of the scene file: A, B or C, or the year of a course, 2017 to 2020, "
-      "for driver files; nff or another name of `raycheck list`; or a file FORMAT.toml");
+      "for driver files; a format such as nff; or a file FORMAT.toml");
 }
 
 void add_rubric_dialect(CLI::App& command, std::string& dialect) {
