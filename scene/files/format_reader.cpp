@@ -155,7 +155,8 @@ class FormattedReader {
         if (at == end || words_[at].text != word) return {};
         ++at;
       } else if (slot == "*") {
-        const std::string_view next = k + 1 < parts.size() ? parts[k + 1].word : "";
+        const std::string_view next =
+            k + 1 < parts.size() ? std::string_view(parts[k + 1].word) : "";
         if (next.empty() && !format_.by_lines) continue;
         // The statement of the next sphere begins with the same word.
         while (at < end && (next.empty() || words_[at].text != next)) {
