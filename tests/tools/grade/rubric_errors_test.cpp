@@ -41,6 +41,8 @@ const std::vector<Wrong> kWrong = {
     {kTitle, "conventions = { samples = \"middles\" }",
      "1: conventions.samples = \"middles\": must be one of edges, centres, corners"},
     {kTitle, "unjudged = 1.5", "1: unjudged = 1.5: must be between 0 and 1"},
+    {kTitle, "driver = { preset = \"../a.toml\" }",
+     "1: driver.preset = \"../a.toml\": must be a file name, without a folder"},
     {kTitle, "driver = { preset = \"B:15\" }",
      "1: driver.preset = \"B:15\": 15 numbers: a sphere line has one of 16, 17, "},
     {kTitle, "t_threshold = -1", "1: t_threshold = -1: must be 0 or more"},

@@ -215,6 +215,10 @@ DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table
   fields.require_known(from, {"preset", "others"});
   DriverRule rule;
   if (const auto field = fields.optional(from, "preset")) {
+    const std::string preset = fields.text(*field);
+    if (preset.ends_with(".toml") && preset.find('/') != std::string::npos) {
+      fields.fail(*field, "must be a file name, without a folder");
+    }
     try {
       rule = driver_rule(fields.text(*field), folder);
     } catch (const std::invalid_argument& error) {
