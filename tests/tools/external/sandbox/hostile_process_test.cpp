@@ -221,7 +221,7 @@ class Thieves {
 };
 
 TEST(HostileNeighbours, DoNotUseUpACandidatesTime) {
-  const Thieves thieves(4);
+  const Thieves thieves(2);
   // It takes half of its time, without neighbours.
   const json report = judged(kScene,
                              right_after("began = time.process_time()\n"
