@@ -13,16 +13,35 @@ namespace raycheck::scene {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f\r\n";
-const std::set<std::string_view> kOfSpheres = {"centre", "radius",    "diameter", "scale",
-                                               "colour", "colour255", "name",     "index"};
-const std::set<std::string_view> kWithoutMeaning = {"_", "*", "count", "image"};
-const std::set<std::string_view> kOfCameras = {"eye",  "look_at",  "view",  "up",    "near",
-                                               "left", "right",    "top",   "width", "bottom",
-                                               "size", "distance", "height"};
+/// A slot other than an angle: how many numbers it has (0: words), and whose it is.
+struct Slot {
+  std::string_view name;
+  std::size_t numbers;
+  enum class Of { kCamera, kSphere, kNothing } of;
+};
+constexpr Slot kSlots[] = {{"eye", 3, Slot::Of::kCamera},       {"look_at", 3, Slot::Of::kCamera},
+                           {"view", 3, Slot::Of::kCamera},      {"up", 3, Slot::Of::kCamera},
+                           {"near", 1, Slot::Of::kCamera},      {"distance", 1, Slot::Of::kCamera},
+                           {"left", 1, Slot::Of::kCamera},      {"right", 1, Slot::Of::kCamera},
+                           {"bottom", 1, Slot::Of::kCamera},    {"top", 1, Slot::Of::kCamera},
+                           {"width", 1, Slot::Of::kCamera},     {"height", 1, Slot::Of::kCamera},
+                           {"size", 1, Slot::Of::kCamera},      {"centre", 3, Slot::Of::kSphere},
+                           {"radius", 1, Slot::Of::kSphere},    {"diameter", 1, Slot::Of::kSphere},
+                           {"scale", 3, Slot::Of::kSphere},     {"colour", 3, Slot::Of::kSphere},
+                           {"colour255", 3, Slot::Of::kSphere}, {"name", 0, Slot::Of::kSphere},
+                           {"index", 0, Slot::Of::kSphere},     {"_", 0, Slot::Of::kNothing},
+                           {"*", 0, Slot::Of::kNothing},        {"count", 0, Slot::Of::kNothing},
+                           {"image", 0, Slot::Of::kNothing}};
 
-bool is_known(std::string_view slot) {
-  return kOfSpheres.contains(slot) || kOfCameras.contains(slot) || kWithoutMeaning.contains(slot) ||
-         angle_slot(slot);
+/// Empty: there is no slot of this name.
+std::optional<Slot> slot_named(std::string_view name) {
+  if (angle_slot(name)) return Slot{name, 1, Slot::Of::kCamera};
+  const auto* const found = std::ranges::find(kSlots, name, &Slot::name);
+  return found == std::end(kSlots) ? std::nullopt : std::optional(*found);
+}
+bool is_of(std::string_view name, Slot::Of whose) {
+  const auto slot = slot_named(name);
+  return slot && slot->of == whose;
 }
 
 class FormatReader {
@@ -48,7 +67,8 @@ class FormatReader {
     }
     if (const auto field = fields_.optional(from, "lines")) format_.by_lines = fields_.flag(*field);
     if (const auto field = fields_.optional(from, "digits")) {
-      format_.digits = std::clamp(static_cast<int>(fields_.number(*field)), 1, 17);
+      const std::int64_t digits = fields_.integer(*field, "a whole number of digits");
+      format_.digits = static_cast<int>(std::clamp<std::int64_t>(digits, 1, 17));
     }
     if (const auto field = fields_.optional(from, "exponents")) {
       format_.has_exponents = fields_.flag(*field);
@@ -96,12 +116,16 @@ class FormatReader {
                   std::map<std::string, std::vector<double>, std::less<>>& fixed) const {
     for (const auto& [key, node] : from.keys) {
       const Field field = fields_.required(from, key.str());
-      if (!is_known(key.str())) fields_.fail(field, "is not the name of a slot");
+      const auto slot = slot_named(key.str());
+      if (!slot) fields_.fail(field, "is not the name of a slot");
       std::vector<double>& numbers = fixed[std::string(key.str())];
       if (node.is_array()) {
         for (const Field& one : fields_.list(field)) numbers.push_back(fields_.number(one));
       } else {
         numbers.push_back(fields_.number(field));
+      }
+      if (numbers.size() != slot->numbers) {
+        fields_.fail(field, "must have " + std::to_string(slot->numbers) + " numbers");
       }
     }
   }
@@ -151,11 +175,11 @@ class FormatReader {
         const std::size_t colon = std::min(slot.find(':'), slot.size());
         FormatPart part{"", slot.substr(0, colon), slot.substr(std::min(colon + 1, slot.size()))};
         const bool is_unit = part.written == kUnit && (part.slot == "view" || part.slot == "up");
-        if (!is_known(part.slot) ||
-            !(part.written.empty() || is_unit || kWithoutMeaning.contains(part.slot))) {
+        if (!slot_named(part.slot) ||
+            !(part.written.empty() || is_unit || is_of(part.slot, Slot::Of::kNothing))) {
           fields_.fail(field, "{" + slot + "} is not a slot");
         }
-        result.is_of_sphere = result.is_of_sphere || kOfSpheres.contains(part.slot);
+        result.is_of_sphere = result.is_of_sphere || is_of(part.slot, Slot::Of::kSphere);
         result.parts.push_back(std::move(part));
         at = end + 1;
       } else if (separators.find(text[at]) != std::string::npos) {
@@ -167,7 +191,26 @@ class FormatReader {
       }
     }
     result.text = std::move(text);
+    require_readable(field, result);
     return result;
+  }
+
+  /// A statement with numbers needs a word by which it is known, and a sphere a size.
+  void require_readable(const Field& field, const FormatStatement& statement) const {
+    const auto has_one = [&](std::initializer_list<std::string_view> slots) {
+      return std::ranges::any_of(statement.parts, [&](const FormatPart& part) {
+        return !part.slot.empty() && std::ranges::find(slots, part.slot) != slots.end();
+      });
+    };
+    const bool has_numbers = std::ranges::any_of(statement.parts, [](const FormatPart& part) {
+      return part.word.empty() && slot_named(part.slot)->numbers > 0;
+    });
+    if (has_numbers && statement.parts.front().word.empty()) {
+      fields_.fail(field, "has a statement that begins with a slot, not with a word");
+    }
+    if (has_one({"centre"}) && !has_one({"radius", "diameter", "scale"})) {
+      fields_.fail(field, "has a {centre} without {radius}, {diameter} or {scale} beside it");
+    }
   }
 
   /// Braces around a name without blanks are a slot; others are the format's own.
@@ -205,10 +248,9 @@ std::set<std::string_view> first_words(std::string_view text) {
 bool fits(const FileFormat& format, const std::set<std::string_view>& keywords) {
   const auto is_there = [&](const FormatStatement& statement) {
     const bool is_of_camera = std::ranges::any_of(statement.parts, [](const FormatPart& part) {
-      return !part.slot.empty() && !kWithoutMeaning.contains(part.slot);
+      return part.word.empty() && is_of(part.slot, Slot::Of::kCamera);
     });
-    return statement.parts.empty() || statement.is_of_sphere || !is_of_camera ||
-           keywords.contains(statement.parts.front().word);
+    return !is_of_camera || keywords.contains(statement.parts.front().word);
   };
   return format.by_lines && std::ranges::all_of(format.statements, is_there);
 }
@@ -235,6 +277,8 @@ std::optional<AngleSlot> angle_slot(std::string_view slot) {
   }
   return {};
 }
+
+std::size_t numbers_of_slot(std::string_view slot) { return slot_named(slot).value().numbers; }
 
 bool FileFormat::has(std::string_view slot) const {
   return std::ranges::any_of(statements, [&](const FormatStatement& statement) {

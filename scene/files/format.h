@@ -99,6 +99,9 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene);
 std::string write_formatted(const FileFormat& format, const Scene& scene,
                             std::span<const std::array<double, 3>> colours = {});
 
+/// How many numbers a slot of a template has; 0: words.
+std::size_t numbers_of_slot(std::string_view slot);
+
 /// An angle of view: of which side, and how it is given.
 struct AngleSlot {
   enum class Side { kVertical, kHorizontal, kLarger, kSmaller } side;

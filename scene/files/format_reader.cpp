@@ -36,18 +36,6 @@ std::vector<Word> words_of(const FileFormat& format, std::string_view text) {
   return words;
 }
 
-/// The count of numbers of a slot; 0 for slots of words.
-std::size_t count_of(std::string_view slot) {
-  for (const char* one :
-       {"eye", "look_at", "view", "up", "centre", "scale", "colour", "colour255"}) {
-    if (slot == one) return 3;
-  }
-  for (const char* one : {"_", "*", "name", "index", "count", "image"}) {
-    if (slot == one) return 0;
-  }
-  return 1;
-}
-
 /// The numbers of a slot, and the line on which they are.
 struct Given {
   std::vector<double> numbers;
@@ -163,7 +151,7 @@ class FormattedReader {
           if (!format_.by_lines && words_[at].text == parts.front().word) return {};
           ++at;
         }
-      } else if (const std::size_t count = count_of(slot); count > 0) {
+      } else if (const std::size_t count = numbers_of_slot(slot); count > 0) {
         Given& its = given[slot];
         its.line = words_[first].line;
         for (std::size_t n = 0; n < count; ++n, ++at) its.numbers.push_back(number(first, at, end));

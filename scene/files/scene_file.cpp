@@ -76,15 +76,17 @@ LoadedScene read_toml(std::string_view text, std::string_view file) {
 
 LoadedScene load_scene(const std::filesystem::path& path, const ReadAs& as) {
   const std::string text = file_text(path);
+  if (path.extension() == ".toml") {
+    LoadedScene loaded = read_toml(text, path.string());
+    if (as.dialect || as.format) {
+      loaded.warnings.push_back(path.string() +
+                                ": a dialect was given, but only driver files have one");
+    }
+    return loaded;
+  }
   const FileFormat* const format = as.format ? as.format : format_of(path.string(), text);
   if (format != nullptr) return read_formatted(*format, text, path.string());
-  if (path.extension() != ".toml") return read_driver_file(text, path.string(), as.dialect);
-  LoadedScene loaded = read_toml(text, path.string());
-  if (as.dialect) {
-    loaded.warnings.push_back(path.string() +
-                              ": a dialect was given, but only driver files have one");
-  }
-  return loaded;
+  return read_driver_file(text, path.string(), as.dialect);
 }
 
 }  // namespace raycheck::scene

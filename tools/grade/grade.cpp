@@ -248,7 +248,8 @@ class ClassRun {
     judge_all(rubric_,
               {external_candidate(runnable.external, last_failure), grade.found.is_renderer(),
                form_known(rubric_.driver, dry), dry ? dry->driver.dialect : scene::Dialect::kB,
-               last_failure, !grade.found.adapter.empty(), runnable.external.program.spent},
+               last_failure, !grade.found.adapter.empty() || !runnable.external.declares.empty(),
+               runnable.external.program.spent},
               control, grade);
     note_that_nothing_shows(grade);
     if (std::string note = inexpressible_text(grade); !note.empty()) grade.notes.push_back(note);

@@ -114,6 +114,10 @@ TEST(ReadFormat, RefusesWrongTemplates) {
         {replaced(kWindow, "{left}", "1"), "has neither a window, {left} to {top}, nor an angle"},
         {replaced(kWindow, "{centre}", "1 2 3"), "has no {centre}: no spheres can be read"},
         {replaced(kWindow, "eye =", "eyes ="), "fixed.eyes = [0, 0, 0]: is not the name of a slot"},
+        {replaced(kWindow, "eye = [0, 0, 0]", "eye = [0]"), "fixed.eye = [0]: must have 3 numbers"},
+        {replaced(kWindow, "{scale}", "1 1 1"), "has a {centre} without {radius}, {diameter} or"},
+        {replaced(kWindow, "LEFT {left}", "{left}"), "begins with a slot, not with a word"},
+        {replaced(kWindow, "title", "digits = 1.5\ntitle"), "digits = 1.5: "},
         {replaced(kWindow, "title", "titel"),
          "the-format.toml:1: titel = \"A window\": unknown key"}}) {
     const std::string error =

@@ -15,6 +15,19 @@ std::string renderer(const std::string& mistake = "") {
          mistake + "{scene} {image}' ";
 }
 
+/// A rubric for renderers of a format, with one item.
+std::string rubric_of(const Grading& grading, const std::string& format,
+                      const std::string& arguments = "{scene} {image}",
+                      const std::string& conventions = "") {
+  return grading.write("rubric.toml",
+                       "[driver]\npreset = \"" + format + "\"\n" + conventions +
+                           "[[form]]\nhas = \"rt.py\"\ncandidate = \"renderer:python3 rt.py " +
+                           arguments + "\"\n" +
+                           item_of("pictures", "points = 10",
+                                   "[item.pictures]\njudge = \"spheres\"\n"
+                                   "sources = [\"course\"]\ncases = 2\n"));
+}
+
 TEST(SceneFormats, of_scenes_are_known_by_the_ending_of_the_name) {
   const std::string balls = temporary_file("balls.nff", kBalls);
   const Outcome right = run("check " + balls + " " + renderer(), 0);
@@ -50,16 +63,7 @@ TEST(SceneFormats, of_a_course_are_files_beside_its_rubric) {
   const std::string nff = contents(RAYCHECK_SOURCE_DIR "/scene/formats/nff.toml");
   grading.write("ours.toml",
                 replaced(replaced(nff, "from {eye}", "seen_from {eye}"), ".nff", ".ours"));
-  const std::string rubric = grading.write("rubric.toml", R"([driver]
-preset = "ours.toml"
-[[form]]
-has = "rt.py"
-candidate = "renderer:python3 rt.py {scene} {image}"
-)" + item_of("pictures", "points = 10", R"([item.pictures]
-judge = "spheres"
-sources = ["course"]
-cases = 6
-)"));
+  const std::string rubric = rubric_of(grading, "ours.toml");
   const std::string text = replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
                                     "camera[\"from\"]", "camera[\"seen_from\"]");
   const std::string right = grading.hand_in("right", "rt.py", text);
@@ -81,18 +85,8 @@ cases = 6
 /// Where pixels are sampled may be open.
 TEST(SceneFormats, may_leave_samples_open) {
   const Grading grading;
-  const std::string rubric = grading.write("rubric.toml", R"([driver]
-preset = "nff"
-[conventions]
-samples = "either"
-[[form]]
-has = "rt.py"
-candidate = "renderer:python3 rt.py {scene} {image}"
-)" + item_of("pictures", "points = 10", R"([item.pictures]
-judge = "spheres"
-sources = ["course"]
-cases = 2
-)"));
+  const std::string rubric =
+      rubric_of(grading, "nff", "{scene} {image}", "[conventions]\nsamples = \"either\"\n");
   const std::string centres = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py");
   const std::string corners = replaced(replaced(centres, "(i + 0.5)", "i"), "(j + 0.5)", "j");
   const std::string mixed = replaced(centres, "(i + 0.5)", "i");
@@ -109,16 +103,7 @@ cases = 2
 /// A renderer that takes only the scene, and chooses the picture's name.
 TEST(SceneFormats, may_be_all_that_a_renderer_is_told) {
   const Grading grading;
-  const std::string rubric = grading.write("rubric.toml", R"([driver]
-preset = "nff"
-[[form]]
-has = "rt.py"
-candidate = "renderer:python3 rt.py {scene}"
-)" + item_of("pictures", "points = 10", R"([item.pictures]
-judge = "spheres"
-sources = ["course"]
-cases = 2
-)"));
+  const std::string rubric = rubric_of(grading, "nff", "{scene}");
   const std::string text =
       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
                "([\"\"] + sys.argv[1:])[-3:]", "\"\", sys.argv[1], \"balls.ppm\"");

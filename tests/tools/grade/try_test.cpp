@@ -204,6 +204,37 @@ declares = "made_directions any"
   EXPECT_TRUE(has(points("middle", "(camera.top + camera.bottom) / 2 + 0 * j").out, "4 of 8"));
 }
 
+/// Hits begin at t = 2 in this course, whatever a submission declares of its roots.
+TEST(TryCommand, judges_by_the_roots_that_the_rubric_declares) {
+  const Grading grading;
+  const auto rubric = [&](const std::string& name, const std::string& declares) {
+    return grading.write(
+        name,
+        "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n" + declares +
+            item_of("hits", "points = 4", functions("class", "rays", 40, kGivenRays)));
+  };
+  const std::string own = grading.hand_in("own", "rays.py", R"(import raycheck_candidate as rc
+
+def intersect(ray, sphere, conventions):
+    (o, d), (c, r) = ray, sphere
+    t = [x - y for x, y in zip(c, o)]
+    a, b = sum(x * x for x in d), sum(x * y for x, y in zip(t, d))
+    under = b * b - a * (sum(x * x for x in t) - r * r)
+    if under < 0:
+        return None
+    return next((s for s in ((b - under**0.5) / a, (b + under**0.5) / a) if s >= 2), None)
+
+rc.run("mine", intersect=intersect, returns="parameter", roots="as-asked", tangent="either")
+)");
+  EXPECT_EQ(try_it(grading, rubric("plain.toml", ""), own).exit_code, 1);
+  const Outcome declared = try_it(grading, rubric("half.toml", "declares = \"t_min 2\"\n"), own);
+  EXPECT_EQ(declared.exit_code, 0) << declared.out;
+  // It contradicts only what the submission declares, which does not count.
+  const Outcome solid =
+      try_it(grading, rubric("solid.toml", "declares = \"from_inside start\"\n"), own);
+  EXPECT_FALSE(has(solid.out, "cannot be combined")) << solid.out;
+}
+
 /// Code that takes every direction for a unit one is not given only such.
 TEST(TryCommand, gives_directions_of_any_length_to_a_submission_that_declares_unit_ones) {
   const Grading grading;

@@ -36,7 +36,7 @@ inline constexpr std::array<int, 7> kSphereNumbers = {16, 17, 20, 13, 19, 18, 21
 bool is_scene_file(std::string_view name);
 
 /// The form of the scene files that a renderer reads: a variant of the driver file format, or
-/// another format, which has no variants.
+/// another format, which has none of the following members.
 struct DriverForm {
   scene::Dialect dialect = scene::Dialect::kB;
   /// The count of numbers in a sphere's line: 13 for centre, radius, ambient, diffuse and specular

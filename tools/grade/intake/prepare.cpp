@@ -223,11 +223,14 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     found.build_seconds = build.seconds;
     found.functions = external.introduction.functions;
     // Nor may it choose how it is called: rows for columns, or directions that are not unit, are
-    // what items are about, or tolerances. An adapter is the instructor's.
+    // what items are about, or tolerances. An adapter is the instructor's, and so is what the
+    // rubric declares.
     contract::Declarations& declared = external.introduction.declared;
     if (found.adapter.empty()) {
       declared.interface = {.returns = declared.interface.returns};
       declared.tolerances = {};
+      declared.lengths = {};
+      declared.conventions.valid = scene::ValidRoots{};
     }
     declare_over(intake.fitting.form.declares, external);
     // The rubric sets the precision, whatever the submission declares.

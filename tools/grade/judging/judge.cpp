@@ -120,7 +120,7 @@ class Judge {
     Candidate& candidate = judged_.candidate;
     candidate.declared = rubric.conventions.over(candidate.declared);
     // If a submission could declare valid roots or a domain, it could exclude cases of the rubric.
-    if (!judged_.has_adapter) {
+    if (!judged_.is_declared) {
       candidate.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
       candidate.smallest_length = candidate.smallest_camera_length =
           std::min(candidate.smallest_length, properties::kSmallestJudgedLength);

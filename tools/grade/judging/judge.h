@@ -25,8 +25,9 @@ struct JudgedSubmission {
   FormKnown form_known = FormKnown::kGiven;
   scene::Dialect dialect = scene::Dialect::kB;  ///< The dialect of its driver files.
   LastFailure last_failure = nullptr;           ///< Set whenever the candidate fails.
-  /// Whether an instructor's adapter declares for it: then its roots and lengths count, too.
-  bool has_adapter = false;
+  /// Whether an instructor declares for it, by an adapter or in the rubric: then its roots and
+  /// lengths count, too.
+  bool is_declared = false;
   /// The time of its processes; null if it is unlimited.
   std::shared_ptr<const SpentTime> spent = nullptr;
 };
