@@ -209,9 +209,8 @@ TEST(TryCommand, judges_by_the_roots_that_the_rubric_declares) {
   const Grading grading;
   const auto rubric = [&](const std::string& name, const std::string& declares) {
     return grading.write(
-        name,
-        "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n" + declares +
-            item_of("hits", "points = 4", functions("class", "rays", 40, kGivenRays)));
+        name, "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n" + declares +
+                  item_of("hits", "points = 4", functions("class", "rays", 40, kGivenRays)));
   };
   const std::string own = grading.hand_in("own", "rays.py", R"(import raycheck_candidate as rc
 
