@@ -315,7 +315,7 @@ TEST(Interfaces, that_return_both_roots_must_be_right_in_both) {
 
 /// s = 1 is on the image plane: half of P - E is another direction, although of the same line.
 TEST(Interfaces, of_directions_to_the_image_plane_have_its_length) {
-  const Called& half = single("half");
+  const Called half = single("half");
   EXPECT_EQ(judged_by(half, "made_directions any", "--filter direction").exit_code, 0);
   const Outcome outcome = judged_by(half, "made_directions image-plane", "--filter pixel-point");
   EXPECT_EQ(outcome.exit_code, 1);
