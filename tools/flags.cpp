@@ -61,11 +61,9 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
   return pixel;
 }
 
-scene::ReadAs parse_dialect(const std::string& text) {
+const scene::FileFormat* parse_dialect(const std::string& text) {
   const auto rule = parse_driver(text);
-  if (!rule || rule->tries_others) return {};  // `auto`: detected from the file
-  if (rule->form.format != nullptr) return rule->form.format;
-  return rule->form.dialect;
+  return rule && !rule->tries_others ? rule->form.format : nullptr;
 }
 
 std::optional<DriverRule> parse_driver(const std::string& text) {

@@ -8,6 +8,7 @@
 #include "scene/files/file_text.h"
 #include "scene/files/format_texts.h"
 #include "scene/files/toml_fields.h"
+#include "scene/number.h"
 
 namespace raycheck::scene {
 namespace {
@@ -31,7 +32,8 @@ constexpr Slot kSlots[] = {{"eye", 3, Slot::Of::kCamera},       {"look_at", 3, S
                            {"colour255", 3, Slot::Of::kSphere}, {"name", 0, Slot::Of::kSphere},
                            {"index", 0, Slot::Of::kSphere},     {"_", 0, Slot::Of::kNothing},
                            {"*", 0, Slot::Of::kNothing},        {"count", 0, Slot::Of::kNothing},
-                           {"image", 0, Slot::Of::kNothing}};
+                           {"image", 0, Slot::Of::kNothing},    {"behind", 0, Slot::Of::kNothing},
+                           {"extra", 0, Slot::Of::kNothing}};
 
 /// Empty: there is no slot of this name.
 std::optional<Slot> slot_named(std::string_view name) {
@@ -54,7 +56,7 @@ class FormatReader {
     const Table from{root, "format", "", 1};
     fields_.require_known(from, {"title", "source", "endings", "comments", "separators", "joint",
                                  "lines", "exponents", "digits", "template", "ignored", "refused",
-                                 "conventions", "fixed", "default", "variant"});
+                                 "conventions", "assumed", "fixed", "default", "variant", "forms", "preset"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
@@ -73,8 +75,9 @@ class FormatReader {
     if (const auto field = fields_.optional(from, "exponents")) {
       format_.has_exponents = fields_.flag(*field);
     }
-    for (const auto& [key, words] :
-         {std::pair("ignored", &format_.ignored), std::pair("refused", &format_.refused)}) {
+    for (const auto& [key, words] : {std::pair("ignored", &format_.ignored),
+                                     std::pair("refused", &format_.refused),
+                                     std::pair("preset", &format_.presets)}) {
       const auto field = fields_.optional(from, key);
       if (!field) continue;
       const Table table = fields_.table(*field);
@@ -82,7 +85,10 @@ class FormatReader {
         words->emplace(word.str(), fields_.text(fields_.required(table, word.str())));
       }
     }
-    if (const auto field = fields_.optional(from, "conventions")) {
+    for (const char* const key : {"conventions", "assumed"}) {
+      const auto field = fields_.optional(from, key);
+      if (!field) continue;
+      format_.is_of_programs = key == std::string_view("conventions");
       const Table table = fields_.table(*field);
       fields_.require_known(table, {"rows", "samples", "origin"});
       fields_.choose(table, "rows", kRowsNames, format_.rows);
@@ -94,6 +100,7 @@ class FormatReader {
       if (const auto field = fields_.optional(from, key))
         read_fixed(fields_.table(*field), *numbers);
     }
+    if (const auto field = fields_.optional(from, "forms")) read_forms(fields_.table(*field));
     const Field field = fields_.required(from, "template");
     std::string text_of_files = fields_.text(field);
     if (const auto variants = fields_.optional(from, "variant")) {
@@ -105,6 +112,7 @@ class FormatReader {
       }
     }
     read_template(field, text_of_files);
+    require_counts(from);
     return std::move(format_);
   }
 
@@ -127,6 +135,35 @@ class FormatReader {
       if (numbers.size() != slot->numbers) {
         fields_.fail(field, "must have " + std::to_string(slot->numbers) + " numbers");
       }
+    }
+  }
+
+  void read_forms(const Table& from) {
+    fields_.require_known(from, {"numbers", "extra", "similar"});
+    for (const Field& one : fields_.list(fields_.required(from, "numbers"))) {
+      format_.sphere_numbers.push_back(fields_.integer(one, "a whole number of numbers"));
+    }
+    format_.extra_lines = fields_.texts(fields_.required(from, "extra"));
+    format_.similar = fields_.texts(fields_.required(from, "similar"));
+  }
+
+  /// The counts of numbers are possible for a sphere of the template.
+  void require_counts(const Table& from) const {
+    std::int64_t least = 0, most = 0;
+    for (const FormatStatement& statement : format_.statements) {
+      for (const FormatPart& part : statement.parts) {
+        if (!statement.is_of_sphere) continue;
+        least += static_cast<std::int64_t>(part.numbers);
+        if (part.slot != "*") continue;
+        most += std::ranges::count(part.written, ' ') + (part.written.empty() ? 0 : 1);
+      }
+    }
+    most += least;
+    for (const std::int64_t count : format_.sphere_numbers) {
+      if (least <= count && count <= most) continue;
+      const Field field = fields_.required(fields_.table(fields_.required(from, "forms")), "numbers");
+      fields_.fail(field, "a sphere of the template has " + std::to_string(least) + " to " +
+                              std::to_string(most) + " numbers");
     }
   }
 
@@ -174,9 +211,11 @@ class FormatReader {
         const std::string slot = text.substr(at + 1, end - at - 1);
         const std::size_t colon = std::min(slot.find(':'), slot.size());
         FormatPart part{"", slot.substr(0, colon), slot.substr(std::min(colon + 1, slot.size()))};
+        if (const auto known = slot_named(part.slot)) part.numbers = known->numbers;
         const bool is_unit = part.written == kUnit && (part.slot == "view" || part.slot == "up");
-        if (!slot_named(part.slot) ||
-            !(part.written.empty() || is_unit || is_of(part.slot, Slot::Of::kNothing))) {
+        const bool is_optional = part.written == kOptional && part.slot.starts_with("colour");
+        if (!slot_named(part.slot) || !(part.written.empty() || is_unit || is_optional ||
+                                        is_of(part.slot, Slot::Of::kNothing))) {
           fields_.fail(field, "{" + slot + "} is not a slot");
         }
         result.is_of_sphere = result.is_of_sphere || is_of(part.slot, Slot::Of::kSphere);
@@ -186,7 +225,7 @@ class FormatReader {
         ++at;
       } else {
         const std::size_t end = std::min(text.find_first_of(ends, at + 1), text.size());
-        result.parts.push_back({text.substr(at, end - at), "", ""});
+        result.parts.push_back({text.substr(at, end - at), "", "", 0});
         at = end;
       }
     }
@@ -203,7 +242,7 @@ class FormatReader {
       });
     };
     const bool has_numbers = std::ranges::any_of(statement.parts, [](const FormatPart& part) {
-      return part.word.empty() && slot_named(part.slot)->numbers > 0;
+      return part.numbers > 0;
     });
     if (has_numbers && statement.parts.front().word.empty()) {
       fields_.fail(field, "has a statement that begins with a slot, not with a word");
@@ -228,31 +267,65 @@ class FormatReader {
 
 /// Many formats have names that end in this; they are told by their keywords.
 constexpr std::string_view kSharedEnding = ".txt";
-/// The bytes in which all keywords of a camera are looked for.
+/// A file that has this share of the keywords of a format's camera is meant to be of that format.
+constexpr double kNearlyFits = 0.5;
+/// The bytes in which the keywords of a camera are looked for.
 constexpr std::size_t kMostLooked = std::size_t{1} << 16;
 
-/// The first words of the lines of a text.
-std::set<std::string_view> first_words(std::string_view text) {
-  std::set<std::string_view> words;
+/// The first words of the lines of a text, and what follows each where it first begins a line.
+struct Keywords {
+  std::map<std::string_view, std::string_view> all;
+  std::vector<std::string_view> first;  ///< The first three.
+};
+Keywords keywords_of(std::string_view text) {
+  constexpr std::size_t kFirst = 3;
+  Keywords words;
   while (!text.empty()) {
     const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
     std::string_view line = text.substr(0, length);
     text.remove_prefix(std::min(length + 1, text.size()));
     line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
-    words.insert(line.substr(0, line.find_first_of(kBlanks)));
+    const std::string_view word = line.substr(0, line.find_first_of(kBlanks));
+    if (word.empty() || !words.all.emplace(word, line.substr(word.size())).second) continue;
+    if (words.first.size() < kFirst) words.first.push_back(word);
   }
   return words;
 }
 
-/// Whether all keywords of the format's camera are there.
-bool fits(const FileFormat& format, const std::set<std::string_view>& keywords) {
-  const auto is_there = [&](const FormatStatement& statement) {
+/// Whether a number in a statement has a sign that the format excludes.
+bool has_wrong_sign(const FormatStatement& statement, std::string_view words) {
+  for (std::size_t k = 1; k < statement.parts.size(); ++k) {
+    const int sign = sign_of_slot(statement.parts[k].slot);
+    std::size_t count = std::max<std::size_t>(statement.parts[k].numbers, 1);
+    for (; count > 0; --count) {
+      words.remove_prefix(std::min(words.find_first_not_of(kBlanks), words.size()));
+      const std::string_view word = words.substr(0, words.find_first_of(kBlanks));
+      words.remove_prefix(word.size());
+      if (sign != 0 && parse_number(word).value_or(sign) * sign < 0) return true;
+    }
+  }
+  return false;
+}
+
+/// How well a format fits: which share of its camera's keywords is there, and whether their numbers
+/// have the right signs.
+std::pair<double, bool> fit(const FileFormat& format,
+                            const std::map<std::string_view, std::string_view>& words) {
+  if (!format.by_lines) return {};
+  double asked = 0, found = 0;
+  bool has_signs = true;
+  for (const FormatStatement& statement : format.statements) {
     const bool is_of_camera = std::ranges::any_of(statement.parts, [](const FormatPart& part) {
       return part.word.empty() && is_of(part.slot, Slot::Of::kCamera);
     });
-    return !is_of_camera || keywords.contains(statement.parts.front().word);
-  };
-  return format.by_lines && std::ranges::all_of(format.statements, is_there);
+    if (!is_of_camera) continue;
+    asked += 1;
+    const auto known = words.find(statement.parts.front().word);
+    if (known == words.end()) continue;
+    found += 1;
+    has_signs = has_signs && !has_wrong_sign(statement, known->second);
+  }
+  return {asked == 0 ? 0 : found / asked, has_signs};
 }
 
 }  // namespace
@@ -278,7 +351,9 @@ std::optional<AngleSlot> angle_slot(std::string_view slot) {
   return {};
 }
 
-std::size_t numbers_of_slot(std::string_view slot) { return slot_named(slot).value().numbers; }
+int sign_of_slot(std::string_view slot) {
+  return slot == "distance" ? 1 : slot == "near" ? -1 : 0;
+}
 
 bool FileFormat::has(std::string_view slot) const {
   return std::ranges::any_of(statements, [&](const FormatStatement& statement) {
@@ -340,16 +415,37 @@ std::vector<const FileFormat*> variants_of(const FileFormat& format) {
 }
 
 const FileFormat* format_of(std::string_view file, std::string_view text) {
-  const std::set<std::string_view> keywords = first_words(text.substr(0, kMostLooked));
+  const Keywords words = keywords_of(without_mark(text).substr(0, kMostLooked));
+  std::pair<double, bool> best_fit = {};
+  const FileFormat* best = nullptr;
   for (const auto& [name, format] : formats()) {
-    if (fits(format, keywords)) return &format;
+    const auto its = fit(format, words.all);
+    if (its <= best_fit) continue;
+    best_fit = its;
+    best = &format;
   }
+  if (best_fit.first == 1) return best;
   for (const auto& [name, format] : formats()) {
     for (const std::string& ending : format.endings) {
       if (ending != kSharedEnding && file.ends_with(ending)) return &format;
     }
   }
-  return nullptr;
+  return best_fit.first >= kNearlyFits ? best : nullptr;
+}
+
+LoadedScene read_any_format(std::string_view text, std::string_view file, const FileFormat* asked) {
+  const FileFormat* const found = format_of(file, text);
+  if (asked == nullptr && found == nullptr) {
+    LocatedFields(file).fail(1, "first words", joined(keywords_of(text.substr(0, kMostLooked)).first),
+                             "not a scene file of a known format; `raycheck list` shows them, "
+                             "and the name of a TOML file must end in .toml");
+  }
+  try {
+    return read_formatted(asked != nullptr ? *asked : *found, text, file);
+  } catch (const SceneFileError& error) {
+    if (asked == nullptr || found == nullptr || found == asked) throw;
+    throw SceneFileError(std::string(error.what()) + "; the file is of the format " + found->name);
+  }
 }
 
 }  // namespace raycheck::scene

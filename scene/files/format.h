@@ -4,6 +4,7 @@
 // written by filling it, and read by matching its statements.
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -23,14 +24,21 @@ struct FormatPart {
   std::string slot;  ///< "eye"; "_": any word; "*": any number of words.
   /// What is written in a slot that has no meaning: {_:1}; kUnit: a vector of length 1, {up:unit}.
   std::string written;
+  std::size_t numbers = 0;  ///< How many numbers a slot has; 0: words.
 };
 inline constexpr std::string_view kUnit = "unit";
+/// A sphere's colour that files may leave out with all after it, {colour:optional}.
+inline constexpr std::string_view kOptional = "optional";
 
 /// A keyword, and what comes after it.
 struct FormatStatement {
   std::vector<FormatPart> parts;  ///< If the first is not a literal word, it is only written.
   std::string text;               ///< As in the template, with its line end.
   bool is_of_sphere = false;      ///< Whether it is repeated for each sphere.
+  /// Its first word, or the name of its first slot: "light", "extra".
+  const std::string& keyword() const {
+    return parts.front().word.empty() ? parts.front().slot : parts.front().word;
+  }
 };
 
 /// A form of scene files (scene/formats/NAME.toml).
@@ -52,7 +60,14 @@ struct FileFormat {
   /// The numbers of slots that its files do not contain, as all programs have them; and those of
   /// files that leave them out to their program.
   std::map<std::string, std::vector<double>, std::less<>> fixed, defaults;
-  /// What it implies; otherwise empty.
+  /// For programs that read other forms of the format: the counts of numbers in a sphere's line and
+  /// the lines in the place of {extra} to try, the likeliest first; and similar formats.
+  std::vector<std::int64_t> sphere_numbers;
+  std::vector<std::string> extra_lines, similar;
+  /// The names of some forms: "2017", of "A:16:recursionLevel 0".
+  std::map<std::string, std::string, std::less<>> presets;
+  /// What it implies; otherwise empty. If its programs differ in it, only files are read so.
+  bool is_of_programs = true;
   std::optional<Rows> rows = {};
   std::optional<Samples> samples = {};
   std::optional<Origin> origin = {};
@@ -62,6 +77,8 @@ struct FileFormat {
   bool is_of_user() const { return name.ends_with(".toml"); }
   /// Whether its files have an angle of view in place of a window.
   bool has_angle() const { return !has("left") && !fixed.contains("left"); }
+  /// Whether programs may read other forms of it.
+  bool has_forms() const { return !sphere_numbers.empty(); }
 };
 
 /// Reads a format, and, if a variant is named, makes that variant's replacements in its template.
@@ -78,13 +95,19 @@ const FileFormat* format_named(const std::filesystem::path& name);
 /// The variants of a format: of other years of a course, say.
 std::vector<const FileFormat*> variants_of(const FileFormat& format);
 
-/// The format of a file, told by the keywords of its camera or by the ending of its name; null if
-/// there is none.
+/// The format of a file, told by the keywords of its camera and the signs of their numbers or by the
+/// ending of its name; otherwise the format with most of its camera's keywords in the file. Null if
+/// no format has one.
 const FileFormat* format_of(std::string_view file, std::string_view text);
 
 /// Reads a scene file of a format; `file` is its name in errors and warnings.
 /// Errors: SceneFileError naming file, line, field and value.
 LoadedScene read_formatted(const FileFormat& format, std::string_view text, std::string_view file);
+
+/// Reads a scene file of the asked format, or, if none is asked, of that which format_of() finds.
+/// Errors: as of read_formatted(); also if the file is of no known format.
+LoadedScene read_any_format(std::string_view text, std::string_view file,
+                            const FileFormat* asked = nullptr);
 
 /// Why files of a format cannot express a scene; empty if they can.
 /// Domain: a valid scene with a camera.
@@ -99,8 +122,14 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene);
 std::string write_formatted(const FileFormat& format, const Scene& scene,
                             std::span<const std::array<double, 3>> colours = {});
 
-/// How many numbers a slot of a template has; 0: words.
-std::size_t numbers_of_slot(std::string_view slot);
+/// A text without its byte order mark, if it begins with one.
+inline std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
+/// The sign that the number of a slot must have; 0: any.
+int sign_of_slot(std::string_view slot);
 
 /// An angle of view: of which side, and how it is given.
 struct AngleSlot {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "scene/files/format.h"
@@ -36,19 +38,41 @@ std::vector<Word> words_of(const FileFormat& format, std::string_view text) {
   return words;
 }
 
-/// The numbers of a slot, and the line on which they are.
+/// The numbers of a slot, the line on which they are, and the word where their statement begins.
 struct Given {
-  std::vector<double> numbers;
+  std::array<double, 3> numbers = {};
   std::size_t line = 1;
+  std::size_t statement = 0;
 };
-using GivenSlots = std::map<std::string, Given, std::less<>>;
+/// Where a statement's words end, and those of them that a scene needs.
+struct Extent {
+  std::size_t all, needed;
+};
+
+constexpr std::array<std::string_view, 4> kSides = {"left", "right", "bottom", "top"};
+/// The slots of a statement.
+class GivenSlots {
+ public:
+  Given& add(std::string_view slot) { return all_.emplace_back(slot, Given()).second; }
+  const Given* find(std::string_view slot) const {
+    const auto known = std::ranges::find(all_, slot, [](auto& one) { return one.first; });
+    return known == all_.end() ? nullptr : &known->second;
+  }
+  void clear() { all_.clear(); }
+  const auto& all() const { return all_; }
+
+ private:
+  std::vector<std::pair<std::string_view, Given>> all_;
+};
 
 class FormattedReader {
  public:
   FormattedReader(const FileFormat& format, std::string_view text, std::string_view file)
       : format_(format), located_(file), words_(words_of(format, text)) {
     for (const auto* fixed : {&format.defaults, &format.fixed}) {
-      for (const auto& [slot, numbers] : *fixed) camera_[slot] = {numbers, 1};
+      for (const auto& [slot, numbers] : *fixed) {
+        std::ranges::copy(numbers, camera_[slot].numbers.begin());
+      }
     }
   }
 
@@ -72,6 +96,10 @@ class FormattedReader {
     for (const auto& [what, count] : left_out_) {
       loaded.not_needed.push_back(count == 1 ? what : std::to_string(count) + " " + what + "s");
     }
+    if (material_after_ > 0) {
+      loaded.not_needed.push_back("numbers after a sphere's first " +
+                                  std::to_string(material_after_));
+    }
     loaded.warnings = std::move(warnings_);
     located_.require_valid(loaded.scene, [&](const std::string& field) { return line_of(field); });
     return loaded;
@@ -84,14 +112,16 @@ class FormattedReader {
     for (const FormatStatement& one : format_.statements) {
       if (one.parts.empty() || one.parts.front().word != words_[at].text) continue;
       if (has_first_words(one, at)) meant = &one;
-      GivenSlots given;
-      if (const auto end = matched(one, at, given)) {
+      if (const auto ends = matched(one, at)) {
         is_of_format_ = true;
-        take(one, at, given);
-        if (!format_.by_lines) return *end;
-        const std::size_t next = next_line(at);
-        if (*end < next) warn(at, "words after those of the format are ignored");
-        return next;
+        take(one, at);
+        if (!format_.by_lines) return ends->all;
+        if (given_.all().empty()) {
+          leave_out(words_[at].text);
+        } else {
+          look_after(one, at, *ends);
+        }
+        return next_line(at);
       }
     }
     const auto& [keyword, line] = words_[at];
@@ -103,14 +133,47 @@ class FormattedReader {
     if (const auto refused = format_.refused.find(keyword); refused != format_.refused.end()) {
       located_.fail(line, keyword, "cannot be read: " + refused->second);
     }
-    const auto ignored = format_.ignored.find(keyword);
-    if (ignored != format_.ignored.end()) {
-      ++left_out_[ignored->second];
-    } else if (format_.by_lines && !parse_number(keyword)) {
+    if (!leave_out(keyword) && format_.by_lines && !parse_number(keyword)) {
       if (unknown_ == nullptr) unknown_ = &words_[at];
       warn(at, "unknown keyword, ignored");
     }
     return format_.by_lines ? next_line(at) : at + 1;
+  }
+
+  /// Counts a statement with an ignored keyword.
+  bool leave_out(std::string_view keyword) {
+    const auto ignored = format_.ignored.find(keyword);
+    if (ignored == format_.ignored.end()) return false;
+    count(ignored->second);
+    return true;
+  }
+  void count(const std::string& what) {
+    const auto known = std::ranges::find(left_out_, what, &std::pair<std::string, int>::first);
+    if (known == left_out_.end()) {
+      left_out_.emplace_back(what, 1);
+    } else {
+      ++known->second;
+    }
+  }
+
+  /// Notes the words of a line that are not needed: numbers at the end of a sphere's line are its
+  /// material.
+  void look_after(const FormatStatement& statement, std::size_t first, const Extent& ends) {
+    const std::size_t end = next_line(first);
+    const std::size_t needed = ends.needed - first - 1;
+    const auto is_optional = [](const FormatPart& part) { return part.written == kOptional; };
+    const bool has_material = std::ranges::any_of(statement.parts, is_optional);
+    if ((has_material ? ends.needed : ends.all) == end) return;
+    if (has_material && are_numbers(ends.needed, end)) {
+      material_after_ = needed;
+    } else {
+      warn(first, "numbers after the first " + (needed == 1 ? "" : std::to_string(needed) + " ") +
+                      "are ignored");
+    }
+  }
+  bool are_numbers(std::size_t at, std::size_t end) const {
+    while (at < end && parse_number(words_[at].text)) ++at;
+    return at == end;
   }
 
   /// Whether the literal words up to the first slot are there, if there is a slot.
@@ -132,13 +195,14 @@ class FormattedReader {
   }
 
   /// Where a statement that begins at a word ends; empty if its literal words are others.
-  std::optional<std::size_t> matched(const FormatStatement& statement, std::size_t first,
-                                     GivenSlots& given) const {
+  std::optional<Extent> matched(const FormatStatement& statement, std::size_t first) {
+    given_.clear();
+    numbers_ = 0;
     const std::size_t end = format_.by_lines ? next_line(first) : words_.size();
     const std::vector<FormatPart>& parts = statement.parts;
-    std::size_t at = first;
+    std::size_t at = first, needed = first + 1;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const auto& [word, slot, written] = parts[k];
+      const auto& [word, slot, written, count] = parts[k];
       if (!word.empty()) {
         if (at == end || words_[at].text != word) return {};
         ++at;
@@ -151,51 +215,88 @@ class FormattedReader {
           if (!format_.by_lines && words_[at].text == parts.front().word) return {};
           ++at;
         }
-      } else if (const std::size_t count = numbers_of_slot(slot); count > 0) {
-        Given& its = given[slot];
-        its.line = words_[first].line;
-        for (std::size_t n = 0; n < count; ++n, ++at) its.numbers.push_back(number(first, at, end));
-      } else {
+      } else if (count == 0) {
         at = std::min(at + 1, end);
+      } else if (written == kOptional) {
+        at = std::min(at + count, end);
+      } else {
+        Given& its = given_.add(slot);
+        its.line = words_[first].line;
+        its.statement = first;
+        for (std::size_t n = 0; n < count; ++n, ++at, ++numbers_) {
+          if (at == end) fail_short(statement, first);
+          its.numbers[n] = number(slot, first, at);
+        }
+        needed = at;
       }
     }
-    return at;
+    return Extent{at, needed};
   }
 
-  double number(std::size_t first, std::size_t at, std::size_t end) const {
+  double number(std::string_view slot, std::size_t first, std::size_t at) const {
+    const auto& [text, line] = words_[at];
+    const auto fail = [&](std::string_view what) {
+      const std::string index = std::to_string(at - first - 1);
+      located_.fail(line, std::string(words_[first].text) + "[" + index + "]", text, what);
+    };
+    if (slot == "width" || slot == "height" || slot == "size") {
+      if (!parse_integer(text)) fail("is not a whole number of pixels");
+    }
+    const auto value = parse_number(text);
+    if (!value) fail("is not a number");
+    return *value;
+  }
+
+  [[noreturn]] void fail_short(const FormatStatement& statement, std::size_t first) const {
+    if (!format_.by_lines) {
+      located_.fail(words_[first].line, words_[first].text, "ends before all of its numbers");
+    }
+    std::size_t needs = 0;
+    for (const FormatPart& part : statement.parts) {
+      if (part.written != kOptional) needs += part.numbers;
+    }
+    fail_at(first, "needs " + std::to_string(needs) +
+                       (needs == 1 ? " number, has " : " numbers, has ") +
+                       std::to_string(numbers_));
+  }
+
+  /// Fails about a statement, whose words are its value if it is a line.
+  [[noreturn]] void fail_at(std::size_t first, std::string_view what) const {
     const auto& [keyword, line] = words_[first];
-    if (at >= end) located_.fail(line, keyword, "ends before all of its numbers");
-    if (const auto value = parse_number(words_[at].text)) return *value;
-    located_.fail(words_[at].line,
-                  std::string(keyword) + "[" + std::to_string(at - first - 1) + "]",
-                  words_[at].text, "is not a number");
+    if (!format_.by_lines) located_.fail(line, keyword, what);
+    located_.fail(line, keyword, rest_of_line(first), what);
+  }
+  /// The words after the first, one space apart.
+  std::string rest_of_line(std::size_t first) const {
+    const std::span<const Word> words(words_.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                                      words_.begin() + static_cast<std::ptrdiff_t>(next_line(first)));
+    return joined(words, " ", &Word::text);
   }
 
-  void take(const FormatStatement& statement, std::size_t at, GivenSlots& given) {
-    if (given.contains("centre")) return take_sphere(given);
-    for (auto& [slot, its] : given) {
+  void take(const FormatStatement& statement, std::size_t at) {
+    if (const Given* const centre = given_.find("centre")) return take_sphere(*centre);
+    for (const auto& [slot, its] : given_.all()) {
       if (statement.is_of_sphere) continue;  // a colour
-      const auto [known, is_new] = camera_.try_emplace(slot, its);
+      const auto [known, is_new] = camera_.try_emplace(std::string(slot), its);
       if (is_new) continue;
       if (!format_.defaults.contains(slot)) {
-        located_.fail(words_[at].line, words_[at].text,
-                      "is given twice, first on line " + std::to_string(known->second.line));
+        fail_at(at, "is given twice, first on line " + std::to_string(known->second.line));
       }
       known->second = its;
     }
   }
 
-  void take_sphere(const GivenSlots& given) {
-    const auto& [centre, line] = given.at("centre");
+  void take_sphere(const Given& given) {
+    const auto& [centre, line, first] = given;
     double radius = 0;
-    if (const auto found = given.find("radius"); found != given.end()) {
-      radius = found->second.numbers[0];
-    } else if (const auto across = given.find("diameter"); across != given.end()) {
-      radius = across->second.numbers[0] / 2;
-    } else if (const auto scale = given.find("scale"); scale != given.end()) {
-      const std::vector<double>& by = scale->second.numbers;
+    if (const Given* const found = given_.find("radius")) {
+      radius = found->numbers[0];
+    } else if (const Given* const across = given_.find("diameter")) {
+      radius = across->numbers[0] / 2;
+    } else if (const Given* const scale = given_.find("scale")) {
+      const std::array<double, 3>& by = scale->numbers;
       if (by[0] != by[1] || by[1] != by[2]) {
-        ++left_out_["ellipsoid"];
+        count("ellipsoid");
         return;
       }
       radius = by[0];
@@ -204,13 +305,13 @@ class FormattedReader {
     sphere_lines_.push_back(line);
   }
 
-  const std::vector<double>* find(std::string_view slot) const {
+  const std::array<double, 3>* find(std::string_view slot) const {
     const auto found = camera_.find(slot);
     return found == camera_.end() ? nullptr : &found->second.numbers;
   }
 
   /// The numbers of the first of these slots; the file must have one.
-  const std::vector<double>& required(std::initializer_list<std::string_view> slots) const {
+  const std::array<double, 3>& required(std::initializer_list<std::string_view> slots) const {
     for (const std::string_view slot : slots) {
       if (const auto* numbers = find(slot)) return *numbers;
     }
@@ -231,9 +332,9 @@ class FormattedReader {
     return std::string(*slots.begin());
   }
 
-  Camera camera() const {
+  Camera camera() {
     Camera camera;
-    const auto triple = [](const std::vector<double>& v, auto& to) { to = {v[0], v[1], v[2]}; };
+    const auto triple = [](const std::array<double, 3>& v, auto& to) { to = {v[0], v[1], v[2]}; };
     triple(required({"eye"}), camera.eye);
     if (const auto* view = find("view")) {
       camera.look_at = {camera.eye.x + (*view)[0], camera.eye.y + (*view)[1],
@@ -242,31 +343,88 @@ class FormattedReader {
       triple(required({"look_at", "view"}), camera.look_at);
     }
     triple(required({"up"}), camera.up);
-    camera.width = pixels("width");
-    camera.height = pixels("height");
-    const auto* distance = find("distance");
-    camera.near = distance != nullptr ? -distance->front()
-                  : find("near")      ? find("near")->front()
-                                      : -1;
+    camera.width = static_cast<std::int64_t>(required({"size", "width"}).front());
+    camera.height = static_cast<std::int64_t>(required({"size", "height"}).front());
+    if (format_.has("distance") || format_.has("near")) required({"distance", "near"});
+    camera.near = find("distance") != nullptr ? -signed_number("distance")
+                  : find("near") != nullptr   ? signed_number("near")
+                                              : -1;
     if (format_.has_angle()) {
       set_angle(camera);
     } else {
-      camera.left = required({"left"}).front();
-      camera.right = required({"right"}).front();
-      camera.bottom = required({"bottom"}).front();
-      camera.top = required({"top"}).front();
+      set_window(camera);
     }
     return camera;
   }
 
-  std::int64_t pixels(std::string_view side) const {
-    const auto* both = find("size");
-    const double count = (both != nullptr ? *both : required({side})).front();
-    if (count == std::floor(count) && std::abs(count) < 0x1p53)
-      return static_cast<std::int64_t>(count);
-    const auto found = camera_.find(side);
-    located_.fail(found == camera_.end() ? 1 : found->second.line, side, shortest(count),
-                  "is not a whole number of pixels");
+  /// The number of a slot that must have a sign.
+  double signed_number(std::string_view slot) const {
+    const double number = required({slot}).front();
+    const int sign = sign_of_slot(slot);
+    if (number * sign > 0) return number;
+    const std::string keyword = keyword_of({slot});
+    std::string what = sign > 0 ? "must be above 0" : "must be below 0";
+    what += " in the format " + format_.name;
+    bool is_whole = false;
+    for (const auto& [name, other] : formats()) {
+      for (const FormatStatement& one : other.statements) {
+        if (one.keyword() != keyword || one.parts.size() != 2) continue;
+        is_whole = true;
+        if (sign_of_slot(one.parts[1].slot) != -sign) continue;
+        what += (sign > 0 ? ", or below 0 in " : ", or above 0 in ") + name;
+      }
+    }
+    located_.fail(camera_.find(slot)->second.line, is_whole ? keyword : slot, shortest(number),
+                  what);
+  }
+
+  using Order = std::vector<std::string_view>;
+  /// The order of left, right, bottom and top in a format's statement; empty if it has others.
+  static Order order_of(const FileFormat& format, std::string_view keyword) {
+    Order order;
+    for (const FormatStatement& statement : format.statements) {
+      if (statement.keyword() != keyword) continue;
+      for (const FormatPart& part : statement.parts) {
+        if (std::ranges::find(kSides, part.slot) != kSides.end()) order.emplace_back(part.slot);
+      }
+    }
+    return order.size() == kSides.size() ? order : Order{};
+  }
+
+  /// Sets the window. If it has no area or is mirrored, but is not in the order of another format
+  /// with this keyword, says so.
+  void set_window(Camera& camera) {
+    std::array<double, kSides.size()> sides{};
+    for (std::size_t k = 0; k < sides.size(); ++k) sides[k] = required({kSides[k]}).front();
+    std::tie(camera.left, camera.right, camera.bottom, camera.top) = std::tuple_cat(sides);
+    const auto [numbers, line, first] = camera_.find("left")->second;
+    const Order own = order_of(format_, words_[first].text);
+    if (own.empty() || (sides[0] < sides[1] && sides[2] < sides[3])) return;
+    for (const auto& [name, other] : formats()) {
+      const Order order = order_of(other, words_[first].text);
+      if (order.empty() || order == own) continue;
+      std::array<double, kSides.size()> as_other{};
+      for (std::size_t k = 0; k < sides.size(); ++k) {
+        const auto place = std::ranges::find(order, kSides[k]) - order.begin();
+        as_other[k] = required({own[static_cast<std::size_t>(place)]}).front();
+      }
+      const std::string orders = " in the order of the format " + format_.name + " (" +
+                                 joined(own, " ") + "), but ";
+      const std::string in_other = " in that of " + name + " (" + joined(order, " ") + ")";
+      if (!has_area(sides) && has_area(as_other)) {
+        fail_at(first, "have no area" + orders + "have one" + in_other + ": reorder the numbers");
+      }
+      if (is_mirrored(sides) && !is_mirrored(as_other)) {
+        warn(first, "mirror the image" + orders + "not" + in_other);
+      }
+      return;
+    }
+  }
+  static bool has_area(const std::array<double, 4>& sides) {
+    return sides[0] != sides[1] && sides[2] != sides[3];
+  }
+  static bool is_mirrored(const std::array<double, 4>& sides) {
+    return sides[0] > sides[1] || sides[2] > sides[3];
   }
 
   /// Sets the window by the angle of view.
@@ -300,8 +458,15 @@ class FormattedReader {
           std::string_view(field).substr(kSphere.size(), field.find(']') - kSphere.size()));
       return sphere_lines_.at(static_cast<std::size_t>(index.value()));
     }
-    const auto found =
-        camera_.find(std::string_view(field).substr(std::min(kCamera.size(), field.size())));
+    const std::string_view name =
+        std::string_view(field).substr(std::min(kCamera.size(), field.size()));
+    // What is set by a slot of another name.
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kOthers = {
+        {{"near", "distance"}, {"look_at", "view"}, {"width", "size"}, {"height", "size"}}};
+    auto found = camera_.find(name);
+    for (const auto& [of_camera, slot] : kOthers) {
+      if (found == camera_.end() && name == of_camera) found = camera_.find(slot);
+    }
     return found == camera_.end() ? std::nullopt : std::optional(found->second.line);
   }
 
@@ -316,10 +481,14 @@ class FormattedReader {
   const FileFormat& format_;
   LocatedFields located_;
   std::vector<Word> words_;
-  GivenSlots camera_;
+  GivenSlots given_;         ///< Of the statement that is read.
+  std::size_t numbers_ = 0;  ///< How many numbers it has.
+  std::map<std::string, Given, std::less<>> camera_;
   std::vector<Sphere> spheres_;
   std::vector<std::size_t> sphere_lines_;
-  std::map<std::string, int> left_out_;
+  /// In the order of the file.
+  std::vector<std::pair<std::string, int>> left_out_;
+  std::size_t material_after_ = 0;  ///< The needed numbers of a sphere with a material.
   std::vector<std::string> warnings_;
   std::set<std::string_view> warned_;
   bool is_of_format_ = false;      ///< Whether it has a statement of the format.
@@ -329,8 +498,7 @@ class FormattedReader {
 }  // namespace
 
 LoadedScene read_formatted(const FileFormat& format, std::string_view text, std::string_view file) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return FormattedReader(format, text, file).read();
+  return FormattedReader(format, without_mark(text), file).read();
 }
 
 }  // namespace raycheck::scene

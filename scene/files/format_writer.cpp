@@ -116,6 +116,15 @@ Scene posed(const FileFormat& format, Scene scene) {
   return scene;
 }
 
+/// A position behind the eye, as far from it as the look-at point, but not the world's origin.
+Point3 behind(const Camera& camera) {
+  const Vector3 back = camera.eye - camera.look_at;
+  const auto at = [&](double k) {
+    return Point3{camera.eye.x + k * back.x, camera.eye.y + k * back.y, camera.eye.z + k * back.z};
+  };
+  return at(1) == Point3{} ? at(2) : at(1);
+}
+
 class FormattedWriter {
  public:
   FormattedWriter(const FileFormat& format, Scene scene, std::span<const Colour> colours)
@@ -139,7 +148,7 @@ class FormattedWriter {
   std::string filled(const FormatStatement& statement, std::size_t sphere) const {
     std::string text = statement.text;
     std::size_t at = 0;
-    for (const auto& [word, slot, written] : statement.parts) {
+    for (const auto& [word, slot, written, count] : statement.parts) {
       if (!word.empty()) {
         at = text.find(word, at) + word.size();
         continue;
@@ -155,8 +164,9 @@ class FormattedWriter {
 
   std::string value_of(const std::string& slot, const std::string& written,
                        std::size_t sphere) const {
-    if (slot == "_" || slot == "*") return written;
+    if (slot == "_" || slot == "*" || slot == "extra") return written;
     if (slot == "image") return "image.ppm";
+    if (slot == "behind") return words(numbers_of(behind(*scene_.camera)));
     if (slot == "count") return std::to_string(scene_.spheres.size());
     if (slot == "index") return std::to_string(sphere);
     if (slot == "name") return "sphere" + std::to_string(sphere);
@@ -169,6 +179,9 @@ class FormattedWriter {
       const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
       for (double& x : numbers) x /= length;
     }
+    return words(numbers);
+  }
+  std::string words(const Numbers& numbers) const {
     return joined(numbers, format_.joint, [&](double x) { return number(x); });
   }
 
@@ -201,7 +214,9 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
            " has an angle of view: it can express only left = -right < 0, bottom = -top < 0, "
            "near < 0 and square pixels";
   }
-  if (format.has("distance") && camera.near > 0) return its + " can express only near < 0";
+  if ((format.has("distance") || format.has("near")) && camera.near > 0) {
+    return its + " can express only near < 0";
+  }
   if (format.has("size") && camera.width != camera.height) {
     return its + " can express only images with width = height";
   }

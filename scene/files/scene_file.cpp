@@ -74,19 +74,15 @@ LoadedScene read_toml(std::string_view text, std::string_view file) {
   return {SceneReader(file).read_scene(parse_toml(text, file)), {}};
 }
 
-LoadedScene load_scene(const std::filesystem::path& path, const ReadAs& as) {
+LoadedScene load_scene(const std::filesystem::path& path, const FileFormat* format) {
   const std::string text = file_text(path);
-  if (path.extension() == ".toml") {
-    LoadedScene loaded = read_toml(text, path.string());
-    if (as.dialect || as.format) {
-      loaded.warnings.push_back(path.string() +
-                                ": a dialect was given, but only driver files have one");
-    }
-    return loaded;
+  if (path.extension() != ".toml") return read_any_format(text, path.string(), format);
+  LoadedScene loaded = read_toml(text, path.string());
+  if (format != nullptr) {
+    loaded.warnings.push_back(path.string() +
+                              ": a dialect was given, but only driver files have one");
   }
-  const FileFormat* const format = as.format ? as.format : format_of(path.string(), text);
-  if (format != nullptr) return read_formatted(*format, text, path.string());
-  return read_driver_file(text, path.string(), as.dialect);
+  return loaded;
 }
 
 }  // namespace raycheck::scene

@@ -123,7 +123,7 @@ void fuzz_driver_file(std::string_view bytes) {
   const std::string shown = scene::visible(bytes);
   require(scene::visible(shown) == shown, "visible text changes when it is made visible again");
   try {
-    require_read_back(scene::read_driver_file(bytes, "f.txt").scene);
+    require_read_back(scene::read_any_format(bytes, "f.txt").scene);
   } catch (const scene::SceneFileError&) {
   }
   // One of the formats, as another byte is read.

@@ -84,11 +84,10 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
   scene::LoadedScene loaded =
-      scene::load_scene(options.path, draw ? scene::ReadAs{} : options.read_as);
-  const std::string form = loaded.dialect ? std::string(name(*loaded.dialect)) : loaded.format;
-  if (form.empty() || options.keeps_forms) return loaded;
+      scene::load_scene(options.path, draw ? nullptr : options.read_as);
+  if (loaded.format.empty() || options.keeps_forms) return loaded;
   for (Implementation& one : implementations) {
-    if (one.draws()) one = one.reading(form);
+    if (one.draws()) one = one.reading(loaded.format);
   }
   return loaded;
 }

@@ -61,9 +61,9 @@ inline constexpr std::size_t kKeptExcluded = 10;
 
 struct CheckOptions {
   std::string path;
-  /// The dialect of a driver file, if there are no renderers. Empty: detected from the file.
-  scene::ReadAs read_as;
-  /// Whether renderers get files in their own form. If not, in the scene's dialect.
+  /// The format of the file, if there are no renderers. Null: detected from the file.
+  const scene::FileFormat* read_as = nullptr;
+  /// Whether renderers get files in their own form. If not, in the scene's format.
   bool keeps_forms = false;
   std::vector<Implementation> implementations;
   std::optional<std::int64_t> pixels;  ///< How many pixels to judge, spread evenly; empty: all.

@@ -69,7 +69,7 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["rays_in_scene"] = report.rays_in_scene;
   json["rays_judged"] = report.rays_judged;
   json["interrupted"] = report.interrupted;
-  json["dialect"] = dialect_json(report.dialect);
+  json["dialect"] = text_or_null(report.format);
   json["not_needed"] = report.not_needed;
   json["warnings"] = report.warnings;
   json["candidates"] = list_json(report.candidates, [&](const CandidateReport& candidate) {

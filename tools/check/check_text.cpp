@@ -16,7 +16,7 @@ using properties::Standing;
 using properties::Tally;
 
 std::string scene_text(const CheckReport& report) {
-  std::string text = scene_file_text(report.path, report.dialect) + ": ";
+  std::string text = scene_file_text(report.path, report.format) + ": ";
   if (report.scene.camera) {
     text += fmt::format("{} x {} pixels", report.scene.camera->width, report.scene.camera->height);
   } else {

@@ -68,9 +68,7 @@ CheckOptions check_options(const ViewArguments& arguments, const Size& size) {
   options.path = arguments.scene;
   options.read_as = parse_dialect(arguments.dialect);
   std::optional<DriverRule> driver;
-  const auto& [dialect, format] = options.read_as;
-  if (dialect) driver = DriverRule{{.dialect = *dialect}, false};
-  if (format != nullptr) driver = parse_driver(arguments.dialect);
+  if (options.read_as != nullptr) driver = parse_driver(arguments.dialect);
   options.keeps_forms = driver.has_value();
   options.implementations = find_candidates(arguments.external, driver);
   if (size.rays * size.spheres > kMostJudged) {

@@ -301,7 +301,8 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   candidate.excused_image_change = external.renderer->excused_change;
   candidate.image_threshold = external.renderer->threshold;
   candidate.interface = external.introduction.declared.interface;
-  if (const scene::FileFormat* const format = external.renderer->driver.format) {
+  if (const scene::FileFormat* const format = external.renderer->driver.format;
+      format->is_of_programs) {
     candidate.declared.rows = format->rows;
     candidate.declared.samples = format->samples;
     candidate.declared.origin = format->origin;
@@ -361,7 +362,7 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
 Introduction introduction_of(const Renderer& renderer) {
   Introduction introduction;
   if (const scene::FileFormat* const format = renderer.driver.format;
-      format && format->has_angle()) {
+      format->has_angle()) {
     introduction.declared.interface.windows = contract::Windows::kSquarePixels;
   }
   return introduction;

@@ -208,7 +208,7 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
   report.file = file.path();
   report.what = options.what;
   report.warnings = loaded.warnings;
-  report.dialect = loaded.dialect;
+  report.format = loaded.format;
   report.not_needed = loaded.not_needed;
   report.conventions = scene.conventions;
   report.width = scene.camera->width;

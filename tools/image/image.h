@@ -26,7 +26,7 @@ constexpr std::string_view name(Picture picture) {
 
 struct ImageOptions {
   std::string path;
-  scene::ReadAs read_as;
+  const scene::FileFormat* read_as = nullptr;
   Picture what = Picture::kSphere;
   Implementation implementation = {};    ///< The candidate whose error is shown.
   MethodPair methods = kDefaultMethods;  ///< These make the rays if the candidate does not.
@@ -59,7 +59,7 @@ struct ImageReport {
   std::string file;
   Picture what = Picture::kSphere;
   std::vector<std::string> warnings;
-  std::optional<scene::Dialect> dialect;  ///< Of a driver file.
+  std::string format;  ///< Of a file that is not TOML.
   std::vector<std::string> not_needed;    ///< Settings of the scene file that are not needed here.
   scene::Conventions conventions;         ///< The picture's conventions.
   std::int64_t width = 0;

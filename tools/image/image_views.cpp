@@ -62,7 +62,7 @@ Json error_counts_json(const ErrorCounts& error) {
 
 std::string image_text(const ImageReport& report, const ViewOptions& /*options*/) {
   std::string text =
-      fmt::format("{}: {} x {} pixels, {}\n{}{}\n", scene_file_text(report.path, report.dialect),
+      fmt::format("{}: {} x {} pixels, {}\n{}{}\n", scene_file_text(report.path, report.format),
                   report.width, report.height, count_text(report.spheres, "sphere"),
                   not_needed_text(report.not_needed), conventions_text(report.conventions));
   if (report.interrupted) return text + "INTERRUPTED: no picture was written.\n";
@@ -94,7 +94,7 @@ std::string image_json(const ImageReport& report, const ViewOptions& /*options*/
   json["threads"] = report.threads;
   json["seconds"] = report.seconds;
   json["interrupted"] = report.interrupted;
-  json["dialect"] = dialect_json(report.dialect);
+  json["dialect"] = text_or_null(report.format);
   json["not_needed"] = report.not_needed;
   json["warnings"] = report.warnings;
   return json_text(json);

@@ -17,7 +17,7 @@ namespace raycheck::tools {
 
 struct PlanOptions {
   std::string path;
-  scene::ReadAs read_as;
+  const scene::FileFormat* read_as = nullptr;
   scene::Wanted wanted = scene::Wanted::kNearest;
   std::size_t top = 20;  ///< The number of spheres in the text report.
 };

@@ -117,7 +117,7 @@ std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) 
   const std::uint64_t all =
       static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
   std::string text = fmt::format(
-      "{}: {} x {} pixels, {}\n{}{}\nwanted: {}\n", scene_file_text(report.path, report.dialect),
+      "{}: {} x {} pixels, {}\n{}{}\nwanted: {}\n", scene_file_text(report.path, report.format),
       camera.width, camera.height, count_text(report.scene.spheres.size(), "sphere"),
       not_needed_text(report.not_needed), conventions_text(report.plan->conventions),
       scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)]);
@@ -136,7 +136,7 @@ std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) 
   Json json = json_header("plan");
   add_scene(json, report.path, report.scene);
   json["conventions"] = conventions_json(report.scene.conventions);
-  json["dialect"] = dialect_json(report.dialect);
+  json["dialect"] = text_or_null(report.format);
   json["not_needed"] = report.not_needed;
   json["warnings"] = report.warnings;
   json["interrupted"] = report.interrupted;

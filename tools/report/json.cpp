@@ -71,10 +71,6 @@ Json conventions_json(const scene::Conventions& conventions) {
   return json;
 }
 
-Json dialect_json(std::optional<scene::Dialect> dialect) {
-  return or_null(dialect, [](scene::Dialect one) { return name(one); });
-}
-
 Json explanations_json(const std::vector<properties::Explanation>& explanations) {
   return list_json(explanations, [](const properties::Explanation& one) -> Json {
     return {{"sentence", one.sentence}, {"wrong", one.errors}, {"explained", one.explained}};

@@ -56,8 +56,6 @@ Json hexfloats(const std::vector<double>& numbers);
 Json hexfloat_or_null(std::optional<double> number);
 
 Json conventions_json(const scene::Conventions& conventions);
-/// "A", "B" or "C"; null if the file is not a driver file.
-Json dialect_json(std::optional<scene::Dialect> dialect);
 Json pixel_json(const scene::Pixel& pixel);
 Json place_json(const properties::Place& place);
 /// Adds the file of a scene, and the size of its image (null if it has no camera).

@@ -100,8 +100,8 @@ std::string place_text(const properties::Place& place) {
   return text;
 }
 
-std::string scene_file_text(std::string_view path, std::optional<scene::Dialect> dialect) {
-  return dialect ? fmt::format("{} (driver file of dialect {})", path, name(*dialect))
+std::string scene_file_text(std::string_view path, std::string_view format) {
+  return !format.empty() ? fmt::format("{} (format {})", path, format)
                  : std::string(path);
 }
 

@@ -34,8 +34,8 @@ bool has_place(properties::Quantity quantity);
 /// "pixel (3, 4), sphere 0" or "ray 2".
 std::string place_text(const properties::Place& place);
 
-/// The name of a scene file in reports: "rt.txt (driver file of dialect A)".
-std::string scene_file_text(std::string_view path, std::optional<scene::Dialect> dialect);
+/// The name of a scene file in reports, with its format if it is not TOML: "rt.txt (format A)".
+std::string scene_file_text(std::string_view path, std::string_view format);
 /// The line "not needed here: ambient, 2 lights", or empty.
 std::string not_needed_text(const std::vector<std::string>& not_needed);
 

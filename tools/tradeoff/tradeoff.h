@@ -21,7 +21,7 @@ namespace raycheck::tools {
 
 struct TradeoffOptions {
   std::string scene;  ///< If empty, cases of at least one source are used.
-  scene::ReadAs read_as;
+  const scene::FileFormat* read_as = nullptr;
   std::vector<properties::ChosenSource> sources;
   bool all_families = false;  ///< Use all sources instead of `sources`.
   std::vector<Implementation> implementations;

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include "scene/files/file_text.h"
+#include "scene/files/format.h"
 #include "scene/files/scene_file.h"
 #include "scene/plan/plan.h"
 #include "tests/testing.h"
@@ -16,11 +17,11 @@ const std::string kA = kView + "d 2\nbounds -1 -2 3 4\nres 16 9\n";
 const std::string kB = kView + "d -2\nbounds -1 3 -2 4\nres 16 9\n";
 const std::string kC = "camera 0 0 4 0 0 0 0 1 0 -2\nbounds -1 3 -2 4\nres 16 9\n";
 
-LoadedScene read(const std::string& text, std::optional<Dialect> dialect = {}) {
-  return read_driver_file(text, "f.txt", dialect);
+LoadedScene read(const std::string& text, const std::string& dialect = "") {
+  return read_any_format(text, "f.txt", format_named(dialect));
 }
 
-std::string error_of(const std::string& text, std::optional<Dialect> dialect = {}) {
+std::string error_of(const std::string& text, const std::string& dialect = "") {
   return thrown_by<SceneFileError>([&] { read(text, dialect); });
 }
 
@@ -34,11 +35,11 @@ Scene expected_scene() {
 
 TEST(ReadDriverFile, ReadsEachDialectAlike) {
   for (const auto& [text, dialect] :
-       {std::pair(kA, Dialect::kA), {kB, Dialect::kB}, {kC, Dialect::kC}}) {
+       {std::pair(kA, "A"), {kB, "B"}, {kC, "C"}}) {
     const LoadedScene loaded = read(text);
     EXPECT_EQ(loaded.scene, expected_scene()) << text;
     EXPECT_TRUE(loaded.warnings.empty()) << text;
-    EXPECT_EQ(loaded.dialect, dialect) << text;
+    EXPECT_EQ(loaded.format, dialect) << text;
     EXPECT_EQ(read(text, dialect).scene, expected_scene()) << text;
   }
 }
@@ -81,50 +82,47 @@ TEST(ReadDriverFile, WarnsOnceAboutEachOddity) {
   const std::vector<std::string> warnings = read(text).warnings;
   EXPECT_EQ(warnings,
             (std::vector<std::string>{
+                "f.txt:4: d: numbers after the first are ignored (first on line 4)",
                 "f.txt:7: fog: unknown keyword, ignored (first on line 7)",
                 "f.txt:9: Ambient: unknown keyword, ignored (first on line 9)",
-                "f.txt:10: sphere: numbers after the first 4 are ignored (first on line 10)",
-                "f.txt:4: d: numbers after the first are ignored (first on line 4)"}));
+                "f.txt:10: sphere: numbers after the first 4 are ignored (first on line 10)"}));
   EXPECT_EQ(read(text).scene.spheres.size(), 10u);
 }
 
 TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
-  EXPECT_EQ(error_of(kB, Dialect::kA),
-            "f.txt:4: d = -2: dialect A (requested by its letter or a year) needs d > 0; this file "
-            "is dialect B");
-  EXPECT_EQ(error_of(kA, Dialect::kB),
-            "f.txt:4: d = 2: dialect B (requested by its letter or a year) needs d < 0; this file "
-            "is dialect A");
-  EXPECT_EQ(error_of(kA, Dialect::kC),
-            "f.txt:4: d = 2: dialect C (requested by its letter or a year) needs a camera line "
-            "instead; this file is "
-            "dialect A");
-  for (const Dialect dialect : {Dialect::kA, Dialect::kB}) {
-    EXPECT_EQ(
-        error_of(kC, dialect),
-        std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
-            (dialect == Dialect::kA ? "A" : "B") +
-            " (requested by its letter or a year) has no camera line; this file is dialect C");
+  EXPECT_EQ(error_of(kB, "A"),
+            "f.txt:4: d = -2: must be above 0 in the format A, or below 0 in B; the file is of the "
+            "format B");
+  EXPECT_EQ(error_of(kA, "B"),
+            "f.txt:4: d = 2: must be below 0 in the format B, or above 0 in A; the file is of the "
+            "format A");
+  EXPECT_EQ(error_of(kA, "C"),
+            "f.txt:1: eye: cannot be read: the camera line gives it; the file is of the format A");
+  for (const std::string dialect : {"A", "B"}) {
+    EXPECT_EQ(error_of(kC, dialect),
+              "f.txt:1: camera: cannot be read: a camera line is of dialect C; the file is of the "
+              "format C");
   }
 }
 
 TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
-  constexpr const char* kNoSign = ": must be above 0 (dialect A) or below 0 (dialects B and C)";
+  constexpr const char* kNoSign = ": must be above 0 in the format A, or below 0 in B";
+  constexpr const char* kNeeded = " is missing, which the format A needs";
   const std::pair<std::string, std::string> errors[] = {
       {replaced(kA, "d 2\n", ""),
-       "f.txt:1: d: is missing; it places the image plane, and its sign distinguishes dialect A "
-       "(d > 0) from dialect B (d < 0)"},
+       "f.txt:1: d:" + std::string(kNeeded)},
       {replaced(kA, "d 2", "D 2"),
-       "f.txt:4: D: unknown keyword; d is missing; it places the image plane, and its sign "
-       "distinguishes dialect A (d > 0) from dialect B (d < 0)"},
-      {replaced(kA, "up 0", "upp 0"), "f.txt:3: upp: unknown keyword; up is missing"},
-      {"fog 1\n" + replaced(kA, "res 16 9\n", ""), "f.txt:1: fog: unknown keyword; res is missing"},
+       "f.txt:4: D: unknown keyword; d" + std::string(kNeeded)},
+      {replaced(kA, "up 0", "upp 0"),
+       "f.txt:3: upp: unknown keyword; up" + std::string(kNeeded)},
+      {"fog 1\n" + replaced(kA, "res 16 9\n", ""),
+       "f.txt:1: fog: unknown keyword; res" + std::string(kNeeded)},
       {replaced(kA, "d 2", "d -0"), "f.txt:4: d = -0" + std::string(kNoSign)},
       {replaced(kA, "d 2", "d nan"), "f.txt:4: d = nan" + std::string(kNoSign)},
-      {replaced(kC, "-2", "2"), "f.txt:1: d = 2: dialect C needs d < 0"},
+      {replaced(kC, "-2", "2"), "f.txt:1: near = 2: must be below 0 in the format C"},
       {replaced(kA, "d 2", "d 1e400"), "f.txt:4: camera.near = -inf: is not finite"},
-      {kC + "look 1 2 3\n", "f.txt:4: look = 1 2 3: is already given by the camera line, line 1"},
-      {"d 2\n" + kC, "f.txt:1: d = 2: is already given by the camera line, line 2"},
+      {kC + "look 1 2 3\n", "f.txt:4: look: cannot be read: the camera line gives it"},
+      {"d 2\n" + kC, "f.txt:1: d: cannot be read: the camera line gives it"},
       {kA + "\nup 1 0 0\n", "f.txt:8: up = 1 0 0: is given twice, first on line 3"},
       {kC + "res 16 9\n", "f.txt:4: res = 16 9: is given twice, first on line 3"},
       {replaced(kA, "eye 0 0 4", "eye 0 zero 4"), "f.txt:1: eye[1] = zero: is not a number"},
@@ -141,21 +139,18 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
 TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
   EXPECT_EQ(
       error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
-      "f.txt:5: bounds = -1 -1 1 1: have no area in the order of dialect B (left right bottom "
-      "top), but have one in that of dialect A (left bottom right top): reorder the numbers; "
-      "dialect A needs d > 0");
+      "f.txt:5: bounds = -1 -1 1 1: have no area in the order of the format B (left right bottom "
+      "top), but have one in that of A (left bottom right top): reorder the numbers");
   EXPECT_EQ(
       error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
-      "f.txt:5: bounds = -1 1 -1 1: have no area in the order of dialect A (left bottom right "
-      "top), but have one in that of dialect B (left right bottom top): reorder the numbers; "
-      "dialect B needs d < 0");
+      "f.txt:5: bounds = -1 1 -1 1: have no area in the order of the format A (left bottom right "
+      "top), but have one in that of B (left right bottom top): reorder the numbers");
   EXPECT_EQ(error_of(kView + "d 2\nbounds 1 1 1 1\nres 2 2\n"),
             "f.txt:5: camera.right = 1: equals left, so the image has no width\n"
             "f.txt:5: camera.top = 1: equals bottom, so the image has no height");
 }
 
 TEST(ReadDriverFile, NamesMissingKeywords) {
-  EXPECT_EQ(error_of(""), "f.txt:1: eye: is missing");
   for (const char* const keyword : {"eye", "look", "up", "d", "bounds", "res"}) {
     std::string text = "\n" + kA;
     const std::size_t at = text.find(std::string("\n") + keyword + " ") + 1;
@@ -164,19 +159,21 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
               std::string("f.txt:1: ") + keyword + ": is missing");
   }
   EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")),
-            "f.txt:2: bound: unknown keyword; bounds is missing");
+            "f.txt:2: bound: unknown keyword; bounds is missing, which the format C needs");
 }
 
 TEST(ReadDriverFile, RefusesOtherKindsOfFiles) {
-  const std::string kOther = ": not a driver file; the name of a TOML file must end in .toml";
+  const std::string kOther =
+      ": not a scene file of a known format; `raycheck list` shows them, and the name of a TOML "
+      "file must end in .toml";
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nres 2 2\n"),
-            "f.txt:1: b: unknown keyword; eye is missing");
-  EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nresolution 2 2\n"),
-            "f.txt:1: first words = b, v, from" + kOther);
+            "f.txt:6: res: unknown keyword; resolution is missing, which the format nff needs");
+  EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\n"), "f.txt:1: first words = b, v, from" + kOther);
+  EXPECT_EQ(error_of(""), "f.txt:1: first words = " + kOther);
   EXPECT_EQ(error_of("\x7f"
                      "ELF"),
             "f.txt:1: first words = \\x7fELF" + kOther);
-  EXPECT_EQ(error_of("sphere 0 0 0 1\n"), "f.txt:1: eye: is missing");
+  EXPECT_EQ(error_of("sphere 0 0 0 1\n"), "f.txt:1: first words = sphere" + kOther);
 }
 
 TEST(ReadDriverFile, LocatesEveryValidationProblem) {
@@ -284,7 +281,7 @@ TEST_F(HostileFile, of_toml_warns_that_it_has_no_dialect) {
   const fs::path path = folder_ / "dialect.toml";
   std::ofstream(path) << "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n";
   EXPECT_TRUE(load_scene(path).warnings.empty());
-  EXPECT_EQ(load_scene(path, Dialect::kA).warnings,
+  EXPECT_EQ(load_scene(path, format_named("A")).warnings,
             (std::vector<std::string>{path.string() +
                                       ": a dialect was given, but only driver files have one"}));
 }

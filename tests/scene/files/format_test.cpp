@@ -92,11 +92,11 @@ TEST(ReadFormatted, NamesLineAndKeywordOfWhatIsWrong) {
         {replaced(kSides, "TOP 1\n", ""),
          "f.x:1: TOP: is missing, which the format the-format needs"},
         {replaced(kSides, "TOP 1", "TOP x"), "f.x:5: TOP[0] = x: is not a number"},
-        {replaced(kSides, "-5 2 2", "-5"), "f.x:7: SPHERE: ends before all of its numbers"},
-        {replaced(kSides, "RES 8", "RES 8.5"), "f.x:6: width = 8.5: is not a whole number"},
+        {replaced(kSides, "-5 2 2", "-5"), "f.x:7: SPHERE = s 0 0 -5 2 1 0 0 9: needs 9 numbers, has 8"},
+        {replaced(kSides, "RES 8", "RES 8.5"), "f.x:6: RES[0] = 8.5: is not a whole number"},
         {replaced(kSides, "LEFT -2", "LEFT 3"), "f.x:3: camera.right = 3: "},
         {replaced(kSides, "2 2 2", "-2 -2 -2"), "f.x:7: sphere[0].radius = -2: "},
-        {kSides + "TOP 2\n", "f.x:8: TOP: is given twice, first on line 5"}}) {
+        {kSides + "TOP 2\n", "f.x:8: TOP = 2: is given twice, first on line 5"}}) {
     EXPECT_TRUE(has(error_of(kWindow, text), says));
   }
   const std::string free = replaced(kBalls, "half 0.5;", "");

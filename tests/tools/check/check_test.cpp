@@ -65,7 +65,7 @@ TEST(Check, names_a_driver_files_dialect_and_its_unneeded_settings) {
   const Outcome result = run("check scene/examples/driver-a.txt", 0);
   EXPECT_FALSE(has(result.err, "warning"));
   EXPECT_TRUE(has(result.out,
-                  "driver-a.txt (driver file of dialect A): 16 x 16 pixels, 2 spheres\n"
+                  "driver-a.txt (format A): 16 x 16 pixels, 2 spheres\n"
                   "not needed here: ambient, numbers after a sphere's first 4\n"));
   const json report = printed_json("check scene/examples/driver-c.txt");
   EXPECT_EQ(report["dialect"], "C");

@@ -29,25 +29,20 @@ enum class DriverNumbers {
 };
 inline constexpr std::array<std::string_view, 2> kDriverNumberNames = {"shortest", "fixed"};
 
-/// The possible counts of numbers in a sphere's line, the likeliest first.
-inline constexpr std::array<int, 7> kSphereNumbers = {16, 17, 20, 13, 19, 18, 21};
-
 /// Whether the folder of a run may have a scene file of this name.
 bool is_scene_file(std::string_view name);
 
-/// The form of the scene files that a renderer reads: a variant of the driver file format, or
-/// another format, which has none of the following members.
+/// The form of the scene files that a renderer reads: a format, and how its files deviate from it,
+/// which is possible if the format has forms.
 struct DriverForm {
-  scene::Dialect dialect = scene::Dialect::kB;
-  /// The count of numbers in a sphere's line: 13 for centre, radius, ambient, diffuse and specular
-  /// colour; 16 with reflected light; 1 more for each further value (opacity, index of refraction).
-  int sphere_numbers = 16;
+  const scene::FileFormat* format = scene::format_named("B");  ///< Never null.
+  /// The count of numbers in a sphere's line.
+  std::int64_t sphere_numbers = format->has_forms() ? format->sphere_numbers.front() : 0;
   std::vector<std::string> extra_lines = {};  ///< Verbatim: "recursionlevel 0".
   DriverLight light = DriverLight::kBehind;
   DriverNumbers numbers = DriverNumbers::kShortest;
   /// The order of the keywords, with `extra` for the extra lines; empty: the usual order.
   std::vector<std::string> order = {};
-  const scene::FileFormat* format = nullptr;  ///< Of formats(); null: a driver file.
 
   friend bool operator==(const DriverForm&, const DriverForm&) = default;
   /// What the names of its files end in: ".txt".
@@ -60,20 +55,20 @@ struct DriverForm {
   std::string name() const;
 };
 
-/// The keywords of a dialect's lines in the usual order, each at most once.
-std::vector<std::string> usual_order(scene::Dialect dialect);
+/// The keywords of a format's lines in the usual order, each at most once.
+std::vector<std::string> usual_order(const scene::FileFormat& format);
 
-/// A named form: a dialect (A, B, C) or a year of the course (2017 to 2020).
+/// A named form: of a format with forms (A, B, C), or one of its presets (2017 to 2020).
 struct DriverPreset {
   std::string_view name;
   DriverForm form;
 };
-std::span<const DriverPreset> driver_presets();
+const std::vector<DriverPreset>& driver_presets();
 
 /// The form with this name, in upper or lower case; empty if there is none.
 std::optional<DriverForm> driver_preset(std::string_view name);
 
-/// Parses DriverForm::name(): a preset, followed by parts in any order, separated by colons. A part
+/// Parses DriverForm::name(): a preset or a format, followed by parts in any order, separated by colons. A part
 /// is the count of numbers of a sphere, `no-light` (or `light`), `fixed` (or `shortest`),
 /// `order=eye,look,...`, or an extra line without colons. Extra lines replace those of the preset.
 /// Errors: std::invalid_argument naming the part that is wrong.
@@ -98,19 +93,15 @@ DriverRule driver_rule(std::string_view name, const std::filesystem::path& folde
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from,
                        const std::filesystem::path& folder);
 
-/// The default form of a dialect.
-DriverForm form_of(scene::Dialect dialect);
-
-/// For a form without extra lines: the form with the extra lines and sphere numbers of each year of
-/// its dialect, the most complete first. Empty for a form with extra lines.
+/// For a form without extra lines: the form with the extra lines and sphere numbers of each preset of
+/// its format, the most complete first. Empty for a form with extra lines.
 std::vector<DriverForm> fuller_forms(const DriverForm& form);
 
 /// All known forms: `first`, then similar ones, then the others.
 std::vector<DriverForm> known_forms(const DriverForm& first);
 
-/// A driver file with ambient light 1, the form's light, and spheres with these ambient colours;
-/// all other colours are 0. Domain: a scene with a camera, one colour for each sphere, a form whose
-/// `order` is a permutation of the usual order.
+/// A scene file with spheres of these colours. Domain: a scene that the format expresses, one colour
+/// for each sphere, a form whose `order` is a permutation of the usual order.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form,
                         const std::vector<Colour>& colours);
 

@@ -151,7 +151,7 @@ class DryRunner {
   Attempt find_form() {
     Attempt first = attempt(rule_.form);
     if (const auto found = steady(first)) {
-      if (rule_.form.format == nullptr || !rule_.tries_others || tells_spheres(*found)) {
+      if (rule_.form.format->has_forms() || !rule_.tries_others || tells_spheres(*found)) {
         return *found;
       }
       return that_tells_spheres(*found);

@@ -279,10 +279,8 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
                                scene::Rows rows) {
   const PictureSize size = {scene.camera->width, scene.camera->height};
-  if (renderer.driver.format != nullptr) {
-    const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
-    if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
-  }
+  const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
+  if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
   return image_answer(rendered(renderer, driver_text(scene, renderer.driver), size).picture,
                       *scene.camera, rows, scene.spheres.size(), renderer.colours);
 }

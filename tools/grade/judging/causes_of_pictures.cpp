@@ -146,8 +146,8 @@ bool is_of_driver_files(const Causes& causes) {
 
 /// A near with the wrong sign in one dialect is right in the other, which orders the bounds
 /// differently. If the dialect was found by trial, the sentence names both possibilities.
-const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
-  if (!reading_of(*mistake).turns_near) return mistake;
+const Mistake* worded_for(const scene::FileFormat& format, const Mistake* mistake) {
+  if (!format.has_forms() || !reading_of(*mistake).turns_near) return mistake;
   const auto worded = [&](const char* sentence) {
     Mistake other = *mistake;
     other.sentence = sentence;
@@ -159,7 +159,7 @@ const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
   static const Mistake kBoundsOfB = worded(
       "near is -d, as in driver files of 2017 and 2018, but the bounds are read in the order of "
       "2019 and later");
-  return dialect == scene::Dialect::kA ? &kBoundsOfA : &kBoundsOfB;
+  return format.has("distance") ? &kBoundsOfA : &kBoundsOfB;
 }
 
 /// How an item fails.
@@ -242,13 +242,13 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
 }  // namespace
 
 std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
-                                          scene::Dialect dialect, std::vector<ItemTrial>& trials) {
+                                          const scene::FileFormat& format, std::vector<ItemTrial>& trials) {
   std::vector<ItemCause> item_causes(trials.size());
   Causes causes = causes_of(rubric, trials);
   if (form_known == FormKnown::kNot && is_of_driver_files(causes)) return item_causes;
   if (form_known == FormKnown::kFound) {
     for (Fault& fault : causes.alternatives) {
-      for (const Mistake*& mistake : fault) mistake = worded_for(dialect, mistake);
+      for (const Mistake*& mistake : fault) mistake = worded_for(format, mistake);
     }
   }
   const bool is_shown =

@@ -138,7 +138,7 @@ class Judge {
       // If answers depend on earlier questions, they say nothing about formulas.
       if (!name_kept_state(trials)) {
         causes = judged_.pictures
-                     ? causes_of_pictures(rubric_, judged_.form_known, judged_.dialect, trials)
+                     ? causes_of_pictures(rubric_, judged_.form_known, *judged_.format, trials)
                      : causes_of_functions(rubric_, judged_.candidate, trials);
       }
     } catch (const scene::Interrupted&) {

@@ -23,7 +23,7 @@ struct JudgedSubmission {
   properties::Candidate candidate;
   bool pictures = false;  ///< Whether it is judged by pictures. If not, by functions.
   FormKnown form_known = FormKnown::kGiven;
-  scene::Dialect dialect = scene::Dialect::kB;  ///< The dialect of its driver files.
+  const scene::FileFormat* format = nullptr;  ///< Of its scene files; never null.
   LastFailure last_failure = nullptr;           ///< Set whenever the candidate fails.
   /// Whether an instructor declares for it, by an adapter or in the rubric: then its roots and
   /// lengths count, too.

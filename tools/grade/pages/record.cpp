@@ -139,7 +139,7 @@ Json refusal_json(const Refusal& refusal) {
 }
 
 Json driver_json(const DriverForm& form) {
-  return {{"dialect", form.format ? form.format->name : std::string(scene::name(form.dialect))},
+  return {{"dialect", form.format->name},
           {"sphere_numbers", form.sphere_numbers},
           {"extra_lines", form.extra_lines},
           {"light", kDriverLightNames[static_cast<std::size_t>(form.light)]},

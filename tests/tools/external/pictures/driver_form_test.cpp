@@ -9,7 +9,8 @@
 namespace raycheck::tools {
 namespace {
 
-using scene::Dialect;
+/// A form of a format with its usual numbers.
+DriverForm form_of(const char* format) { return {scene::format_named(format)}; }
 
 /// A driver file, line by line: its keywords in order, and the words after each.
 struct Read {
@@ -60,7 +61,7 @@ std::vector<double> vector_of(const scene::Point3& p) { return {p.x, p.y, p.z}; 
 
 void expect_camera(const Read& file, const scene::Camera& camera, const DriverForm& form) {
   const std::vector<double> up = {camera.up.x, camera.up.y, camera.up.z};
-  if (form.dialect == Dialect::kC) {
+  if (form.format->name == "C") {
     std::vector<double> all;
     for (const auto& part : {vector_of(camera.eye), vector_of(camera.look_at), up, {camera.near}}) {
       all.insert(all.end(), part.begin(), part.end());
@@ -71,10 +72,10 @@ void expect_camera(const Read& file, const scene::Camera& camera, const DriverFo
     EXPECT_EQ(file.numbers("look"), vector_of(camera.look_at));
     EXPECT_EQ(file.numbers("up"), up);
     EXPECT_EQ(file.numbers("d"),
-              std::vector<double>{form.dialect == Dialect::kA ? -camera.near : camera.near});
+              std::vector<double>{form.format->name == "A" ? -camera.near : camera.near});
   }
   const std::vector<double> bounds =
-      form.dialect == Dialect::kA
+      form.format->name == "A"
           ? std::vector<double>{camera.left, camera.bottom, camera.right, camera.top}
           : std::vector<double>{camera.left, camera.right, camera.bottom, camera.top};
   EXPECT_EQ(file.numbers("bounds"), bounds);
@@ -131,7 +132,7 @@ TEST(DriverForm, is_read_back) {
 }
 
 TEST(DriverForm, has_its_lines_in_the_requested_order) {
-  DriverForm form = form_of(Dialect::kB);
+  DriverForm form = form_of("B");
   form.extra_lines = {"recursionlevel 0", "model none"};
   form.order = {"sphere", "light", "ambient", "extra", "res", "bounds", "d", "up", "look", "eye"};
   const Read file = read(driver_text(odd_scene(), form, kColours));
@@ -141,7 +142,7 @@ TEST(DriverForm, has_its_lines_in_the_requested_order) {
 }
 
 TEST(DriverForm, with_fixed_numbers_has_no_exponent) {
-  DriverForm form = form_of(Dialect::kA);
+  DriverForm form = form_of("A");
   const std::regex exponent("[0-9]e[-+0-9]");
   EXPECT_TRUE(std::regex_search(driver_text(odd_scene(), form, kColours), exponent));
   form.numbers = DriverNumbers::kFixed;
@@ -155,7 +156,7 @@ TEST(DriverForm, has_its_light_behind_the_eye_and_not_at_the_origin) {
     scene::Scene scene = odd_scene();
     scene.camera->eye = eye;
     scene.camera->look_at = look_at;
-    const auto light = read(driver_text(scene, form_of(Dialect::kB), kColours)).numbers("light");
+    const auto light = read(driver_text(scene, form_of("B"), kColours)).numbers("light");
     ASSERT_EQ(light.size(), 7u);
     EXPECT_FALSE(light[0] == 0 && light[1] == 0 && light[2] == 0);
     EXPECT_GT((light[0] - eye.x) * (eye.x - look_at.x) + (light[1] - eye.y) * (eye.y - look_at.y) +
@@ -174,14 +175,14 @@ TEST(KnownForms, are_all_different_and_begin_with_the_given_form) {
     const std::vector<DriverForm> forms = known_forms(preset.form);
     EXPECT_TRUE(forms.front() == preset.form);
     std::set<std::string> names;
-    std::set<std::pair<Dialect, int>> without_light;
+    std::set<std::pair<std::string, std::int64_t>> without_light;
     for (const DriverForm& form : forms) {
       expect_named(form);
       EXPECT_TRUE(names.insert(form.name()).second) << form.text();
       if (form.light == DriverLight::kNone)
-        without_light.emplace(form.dialect, form.sphere_numbers);
+        without_light.emplace(form.format->name, form.sphere_numbers);
     }
-    EXPECT_EQ(without_light.size(), 3 * std::size(kSphereNumbers));
+    EXPECT_EQ(without_light.size(), 3 * preset.form.format->sphere_numbers.size());
   }
 }
 
@@ -189,13 +190,13 @@ TEST(DriverFormName, describes_a_form_completely) {
   const std::vector<std::vector<std::string>> odd_lines = {
       {}, {"100% \"x\" y"}, {"", ""}, {"model a.obj", "recursionlevel 0"}};
   for (const auto& lines : odd_lines) {
-    for (const int numbers : kSphereNumbers) {
-      DriverForm form = form_of(Dialect::kA);
+    for (const std::int64_t numbers : form_of("A").format->sphere_numbers) {
+      DriverForm form = form_of("A");
       form.sphere_numbers = numbers;
       form.extra_lines = lines;
       form.light = DriverLight::kNone;
       form.numbers = DriverNumbers::kFixed;
-      form.order = usual_order(Dialect::kA);
+      form.order = usual_order(*form.format);
       expect_named(form);
       std::swap(form.order.front(), form.order.back());
       expect_named(form);
@@ -205,8 +206,8 @@ TEST(DriverFormName, describes_a_form_completely) {
 
 TEST(DriverFormName, is_short) {
   EXPECT_EQ(driver_preset("2018")->name(), "2018");
-  EXPECT_EQ(form_of(Dialect::kC).name(), "C");
-  DriverForm form = form_of(Dialect::kB);
+  EXPECT_EQ(form_of("C").name(), "C");
+  DriverForm form = form_of("B");
   form.sphere_numbers = 17;
   form.extra_lines = {"recursionlevel 0"};
   form.light = DriverLight::kNone;
