@@ -54,9 +54,10 @@ class FormatReader {
   FileFormat read(std::string_view text) {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
-    fields_.require_known(from, {"title", "source", "endings", "comments", "separators", "joint",
-                                 "lines", "exponents", "digits", "template", "ignored", "refused",
-                                 "conventions", "assumed", "fixed", "default", "variant", "forms", "preset"});
+    fields_.require_known(
+        from, {"title", "source", "endings", "comments", "separators", "joint", "lines",
+               "exponents", "digits", "template", "ignored", "refused", "conventions", "assumed",
+               "fixed", "default", "variant", "forms", "preset"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
@@ -75,9 +76,9 @@ class FormatReader {
     if (const auto field = fields_.optional(from, "exponents")) {
       format_.has_exponents = fields_.flag(*field);
     }
-    for (const auto& [key, words] : {std::pair("ignored", &format_.ignored),
-                                     std::pair("refused", &format_.refused),
-                                     std::pair("preset", &format_.presets)}) {
+    for (const auto& [key, words] :
+         {std::pair("ignored", &format_.ignored), std::pair("refused", &format_.refused),
+          std::pair("preset", &format_.presets)}) {
       const auto field = fields_.optional(from, key);
       if (!field) continue;
       const Table table = fields_.table(*field);
@@ -161,7 +162,8 @@ class FormatReader {
     most += least;
     for (const std::int64_t count : format_.sphere_numbers) {
       if (least <= count && count <= most) continue;
-      const Field field = fields_.required(fields_.table(fields_.required(from, "forms")), "numbers");
+      const Field field =
+          fields_.required(fields_.table(fields_.required(from, "forms")), "numbers");
       fields_.fail(field, "a sphere of the template has " + std::to_string(least) + " to " +
                               std::to_string(most) + " numbers");
     }
@@ -241,9 +243,8 @@ class FormatReader {
         return !part.slot.empty() && std::ranges::find(slots, part.slot) != slots.end();
       });
     };
-    const bool has_numbers = std::ranges::any_of(statement.parts, [](const FormatPart& part) {
-      return part.numbers > 0;
-    });
+    const bool has_numbers = std::ranges::any_of(
+        statement.parts, [](const FormatPart& part) { return part.numbers > 0; });
     if (has_numbers && statement.parts.front().word.empty()) {
       fields_.fail(field, "has a statement that begins with a slot, not with a word");
     }
@@ -351,9 +352,7 @@ std::optional<AngleSlot> angle_slot(std::string_view slot) {
   return {};
 }
 
-int sign_of_slot(std::string_view slot) {
-  return slot == "distance" ? 1 : slot == "near" ? -1 : 0;
-}
+int sign_of_slot(std::string_view slot) { return slot == "distance" ? 1 : slot == "near" ? -1 : 0; }
 
 bool FileFormat::has(std::string_view slot) const {
   return std::ranges::any_of(statements, [&](const FormatStatement& statement) {
@@ -436,7 +435,8 @@ const FileFormat* format_of(std::string_view file, std::string_view text) {
 LoadedScene read_any_format(std::string_view text, std::string_view file, const FileFormat* asked) {
   const FileFormat* const found = format_of(file, text);
   if (asked == nullptr && found == nullptr) {
-    LocatedFields(file).fail(1, "first words", joined(keywords_of(text.substr(0, kMostLooked)).first),
+    LocatedFields(file).fail(1, "first words",
+                             joined(keywords_of(text.substr(0, kMostLooked)).first),
                              "not a scene file of a known format; `raycheck list` shows them, "
                              "and the name of a TOML file must end in .toml");
   }

@@ -95,9 +95,9 @@ const FileFormat* format_named(const std::filesystem::path& name);
 /// The variants of a format: of other years of a course, say.
 std::vector<const FileFormat*> variants_of(const FileFormat& format);
 
-/// The format of a file, told by the keywords of its camera and the signs of their numbers or by the
-/// ending of its name; otherwise the format with most of its camera's keywords in the file. Null if
-/// no format has one.
+/// The format of a file, told by the keywords of its camera and the signs of their numbers or by
+/// the ending of its name; otherwise the format with most of its camera's keywords in the file.
+/// Null if no format has one.
 const FileFormat* format_of(std::string_view file, std::string_view text);
 
 /// Reads a scene file of a format; `file` is its name in errors and warnings.

@@ -268,8 +268,9 @@ class FormattedReader {
   }
   /// The words after the first, one space apart.
   std::string rest_of_line(std::size_t first) const {
-    const std::span<const Word> words(words_.begin() + static_cast<std::ptrdiff_t>(first) + 1,
-                                      words_.begin() + static_cast<std::ptrdiff_t>(next_line(first)));
+    const std::span<const Word> words(
+        words_.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+        words_.begin() + static_cast<std::ptrdiff_t>(next_line(first)));
     return joined(words, " ", &Word::text);
   }
 
@@ -408,8 +409,8 @@ class FormattedReader {
         const auto place = std::ranges::find(order, kSides[k]) - order.begin();
         as_other[k] = required({own[static_cast<std::size_t>(place)]}).front();
       }
-      const std::string orders = " in the order of the format " + format_.name + " (" +
-                                 joined(own, " ") + "), but ";
+      const std::string orders =
+          " in the order of the format " + format_.name + " (" + joined(own, " ") + "), but ";
       const std::string in_other = " in that of " + name + " (" + joined(order, " ") + ")";
       if (!has_area(sides) && has_area(as_other)) {
         fail_at(first, "have no area" + orders + "have one" + in_other + ": reorder the numbers");

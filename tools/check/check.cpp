@@ -83,8 +83,7 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
 /// The scene. Renderers that do not keep their form are changed to that of the file.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
-  scene::LoadedScene loaded =
-      scene::load_scene(options.path, draw ? nullptr : options.read_as);
+  scene::LoadedScene loaded = scene::load_scene(options.path, draw ? nullptr : options.read_as);
   if (loaded.format.empty() || options.keeps_forms) return loaded;
   for (Implementation& one : implementations) {
     if (one.draws()) one = one.reading(loaded.format);

@@ -361,8 +361,7 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
 /// What the format of its scene files implies.
 Introduction introduction_of(const Renderer& renderer) {
   Introduction introduction;
-  if (const scene::FileFormat* const format = renderer.driver.format;
-      format->has_angle()) {
+  if (const scene::FileFormat* const format = renderer.driver.format; format->has_angle()) {
     introduction.declared.interface.windows = contract::Windows::kSquarePixels;
   }
   return introduction;

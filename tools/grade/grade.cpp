@@ -247,8 +247,8 @@ class ClassRun {
     const auto& dry = grade.found.dry_run;
     judge_all(rubric_,
               {external_candidate(runnable.external, last_failure), grade.found.is_renderer(),
-               form_known(rubric_.driver, dry), grade.found.driver().format,
-               last_failure, !grade.found.adapter.empty() || !runnable.external.declares.empty(),
+               form_known(rubric_.driver, dry), grade.found.driver().format, last_failure,
+               !grade.found.adapter.empty() || !runnable.external.declares.empty(),
                runnable.external.program.spent},
               control, grade);
     note_that_nothing_shows(grade);

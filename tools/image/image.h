@@ -59,9 +59,9 @@ struct ImageReport {
   std::string file;
   Picture what = Picture::kSphere;
   std::vector<std::string> warnings;
-  std::string format;  ///< Of a file that is not TOML.
-  std::vector<std::string> not_needed;    ///< Settings of the scene file that are not needed here.
-  scene::Conventions conventions;         ///< The picture's conventions.
+  std::string format;                   ///< Of a file that is not TOML.
+  std::vector<std::string> not_needed;  ///< Settings of the scene file that are not needed here.
+  scene::Conventions conventions;       ///< The picture's conventions.
   std::int64_t width = 0;
   std::int64_t height = 0;
   std::size_t spheres = 0;

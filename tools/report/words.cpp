@@ -101,8 +101,7 @@ std::string place_text(const properties::Place& place) {
 }
 
 std::string scene_file_text(std::string_view path, std::string_view format) {
-  return !format.empty() ? fmt::format("{} (format {})", path, format)
-                 : std::string(path);
+  return !format.empty() ? fmt::format("{} (format {})", path, format) : std::string(path);
 }
 
 std::string not_needed_text(const std::vector<std::string>& not_needed) {

@@ -34,8 +34,7 @@ Scene expected_scene() {
 }
 
 TEST(ReadDriverFile, ReadsEachDialectAlike) {
-  for (const auto& [text, dialect] :
-       {std::pair(kA, "A"), {kB, "B"}, {kC, "C"}}) {
+  for (const auto& [text, dialect] : {std::pair(kA, "A"), {kB, "B"}, {kC, "C"}}) {
     const LoadedScene loaded = read(text);
     EXPECT_EQ(loaded.scene, expected_scene()) << text;
     EXPECT_TRUE(loaded.warnings.empty()) << text;
@@ -109,12 +108,9 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
   constexpr const char* kNoSign = ": must be above 0 in the format A, or below 0 in B";
   constexpr const char* kNeeded = " is missing, which the format A needs";
   const std::pair<std::string, std::string> errors[] = {
-      {replaced(kA, "d 2\n", ""),
-       "f.txt:1: d:" + std::string(kNeeded)},
-      {replaced(kA, "d 2", "D 2"),
-       "f.txt:4: D: unknown keyword; d" + std::string(kNeeded)},
-      {replaced(kA, "up 0", "upp 0"),
-       "f.txt:3: upp: unknown keyword; up" + std::string(kNeeded)},
+      {replaced(kA, "d 2\n", ""), "f.txt:1: d:" + std::string(kNeeded)},
+      {replaced(kA, "d 2", "D 2"), "f.txt:4: D: unknown keyword; d" + std::string(kNeeded)},
+      {replaced(kA, "up 0", "upp 0"), "f.txt:3: upp: unknown keyword; up" + std::string(kNeeded)},
       {"fog 1\n" + replaced(kA, "res 16 9\n", ""),
        "f.txt:1: fog: unknown keyword; res" + std::string(kNeeded)},
       {replaced(kA, "d 2", "d -0"), "f.txt:4: d = -0" + std::string(kNoSign)},

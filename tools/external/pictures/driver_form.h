@@ -68,10 +68,10 @@ const std::vector<DriverPreset>& driver_presets();
 /// The form with this name, in upper or lower case; empty if there is none.
 std::optional<DriverForm> driver_preset(std::string_view name);
 
-/// Parses DriverForm::name(): a preset or a format, followed by parts in any order, separated by colons. A part
-/// is the count of numbers of a sphere, `no-light` (or `light`), `fixed` (or `shortest`),
-/// `order=eye,look,...`, or an extra line without colons. Extra lines replace those of the preset.
-/// Errors: std::invalid_argument naming the part that is wrong.
+/// Parses DriverForm::name(): a preset or a format, followed by parts in any order, separated by
+/// colons. A part is the count of numbers of a sphere, `no-light` (or `light`), `fixed` (or
+/// `shortest`), `order=eye,look,...`, or an extra line without colons. Extra lines replace those of
+/// the preset. Errors: std::invalid_argument naming the part that is wrong.
 DriverForm driver_form(std::string_view name);
 
 /// The forms of driver files to try on a renderer.
@@ -93,15 +93,15 @@ DriverRule driver_rule(std::string_view name, const std::filesystem::path& folde
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from,
                        const std::filesystem::path& folder);
 
-/// For a form without extra lines: the form with the extra lines and sphere numbers of each preset of
-/// its format, the most complete first. Empty for a form with extra lines.
+/// For a form without extra lines: the form with the extra lines and sphere numbers of each preset
+/// of its format, the most complete first. Empty for a form with extra lines.
 std::vector<DriverForm> fuller_forms(const DriverForm& form);
 
 /// All known forms: `first`, then similar ones, then the others.
 std::vector<DriverForm> known_forms(const DriverForm& first);
 
-/// A scene file with spheres of these colours. Domain: a scene that the format expresses, one colour
-/// for each sphere, a form whose `order` is a permutation of the usual order.
+/// A scene file with spheres of these colours. Domain: a scene that the format expresses, one
+/// colour for each sphere, a form whose `order` is a permutation of the usual order.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form,
                         const std::vector<Colour>& colours);
 

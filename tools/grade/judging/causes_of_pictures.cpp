@@ -242,7 +242,8 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
 }  // namespace
 
 std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
-                                          const scene::FileFormat& format, std::vector<ItemTrial>& trials) {
+                                          const scene::FileFormat& format,
+                                          std::vector<ItemTrial>& trials) {
   std::vector<ItemCause> item_causes(trials.size());
   Causes causes = causes_of(rubric, trials);
   if (form_known == FormKnown::kNot && is_of_driver_files(causes)) return item_causes;

@@ -150,7 +150,8 @@ ShapeOfFailures shape_of_failures(const Rubric& rubric, const std::vector<ItemTr
 /// explain; if the form was found by trial, a mistake that would be a different one in another form
 /// is worded as both. Domain: a trial for each item of the rubric.
 std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
-                                          const scene::FileFormat& format, std::vector<ItemTrial>& trials);
+                                          const scene::FileFormat& format,
+                                          std::vector<ItemTrial>& trials);
 
 /// The same for functions.
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric,

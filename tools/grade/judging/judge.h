@@ -24,7 +24,7 @@ struct JudgedSubmission {
   bool pictures = false;  ///< Whether it is judged by pictures. If not, by functions.
   FormKnown form_known = FormKnown::kGiven;
   const scene::FileFormat* format = nullptr;  ///< Of its scene files; never null.
-  LastFailure last_failure = nullptr;           ///< Set whenever the candidate fails.
+  LastFailure last_failure = nullptr;         ///< Set whenever the candidate fails.
   /// Whether an instructor declares for it, by an adapter or in the rubric: then its roots and
   /// lengths count, too.
   bool is_declared = false;
