@@ -20,20 +20,22 @@ struct Slot {
   std::size_t numbers;
   enum class Of { kCamera, kSphere, kNothing } of;
 };
-constexpr Slot kSlots[] = {{"eye", 3, Slot::Of::kCamera},       {"look_at", 3, Slot::Of::kCamera},
-                           {"view", 3, Slot::Of::kCamera},      {"up", 3, Slot::Of::kCamera},
-                           {"near", 1, Slot::Of::kCamera},      {"distance", 1, Slot::Of::kCamera},
-                           {"left", 1, Slot::Of::kCamera},      {"right", 1, Slot::Of::kCamera},
-                           {"bottom", 1, Slot::Of::kCamera},    {"top", 1, Slot::Of::kCamera},
-                           {"width", 1, Slot::Of::kCamera},     {"height", 1, Slot::Of::kCamera},
-                           {"size", 1, Slot::Of::kCamera},      {"centre", 3, Slot::Of::kSphere},
-                           {"radius", 1, Slot::Of::kSphere},    {"diameter", 1, Slot::Of::kSphere},
-                           {"scale", 3, Slot::Of::kSphere},     {"colour", 3, Slot::Of::kSphere},
-                           {"colour255", 3, Slot::Of::kSphere}, {"name", 0, Slot::Of::kSphere},
-                           {"index", 0, Slot::Of::kSphere},     {"_", 0, Slot::Of::kNothing},
-                           {"*", 0, Slot::Of::kNothing},        {"count", 0, Slot::Of::kNothing},
-                           {"image", 0, Slot::Of::kNothing},    {"behind", 0, Slot::Of::kNothing},
-                           {"extra", 0, Slot::Of::kNothing}};
+constexpr Slot kSlots[] = {
+    {"eye", 3, Slot::Of::kCamera},       {"look_at", 3, Slot::Of::kCamera},
+    {"view", 3, Slot::Of::kCamera},      {"up", 3, Slot::Of::kCamera},
+    {"near", 1, Slot::Of::kCamera},      {"distance", 1, Slot::Of::kCamera},
+    {"left", 1, Slot::Of::kCamera},      {"right", 1, Slot::Of::kCamera},
+    {"bottom", 1, Slot::Of::kCamera},    {"top", 1, Slot::Of::kCamera},
+    {"width", 1, Slot::Of::kCamera},     {"height", 1, Slot::Of::kCamera},
+    {"size", 1, Slot::Of::kCamera},      {"window_width", 1, Slot::Of::kCamera},
+    {"centre", 3, Slot::Of::kSphere},    {"number", 0, Slot::Of::kSphere},
+    {"radius", 1, Slot::Of::kSphere},    {"diameter", 1, Slot::Of::kSphere},
+    {"scale", 3, Slot::Of::kSphere},     {"colour", 3, Slot::Of::kSphere},
+    {"colour255", 3, Slot::Of::kSphere}, {"name", 0, Slot::Of::kSphere},
+    {"index", 0, Slot::Of::kSphere},     {"_", 0, Slot::Of::kNothing},
+    {"*", 0, Slot::Of::kNothing},        {"count", 0, Slot::Of::kNothing},
+    {"image", 0, Slot::Of::kNothing},    {"behind", 0, Slot::Of::kNothing},
+    {"at_eye", 0, Slot::Of::kNothing},   {"extra", 0, Slot::Of::kNothing}};
 
 /// Empty: there is no slot of this name.
 std::optional<Slot> slot_named(std::string_view name) {
@@ -54,10 +56,10 @@ class FormatReader {
   FileFormat read(std::string_view text) {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
-    fields_.require_known(
-        from, {"title", "source", "endings", "comments", "separators", "joint", "lines",
-               "exponents", "digits", "template", "ignored", "refused", "conventions", "assumed",
-               "fixed", "default", "variant", "forms", "preset"});
+    fields_.require_known(from, {"title",    "source",  "endings",     "comments",    "separators",
+                                 "joint",    "lines",   "left_handed", "exponents",   "digits",
+                                 "template", "ignored", "refused",     "conventions", "assumed",
+                                 "fixed",    "default", "variant",     "forms",       "preset"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
@@ -69,6 +71,9 @@ class FormatReader {
       format_.endings = fields_.texts(*field);
     }
     if (const auto field = fields_.optional(from, "lines")) format_.by_lines = fields_.flag(*field);
+    if (const auto field = fields_.optional(from, "left_handed")) {
+      format_.is_left_handed = fields_.flag(*field);
+    }
     if (const auto field = fields_.optional(from, "digits")) {
       const std::int64_t digits = fields_.integer(*field, "a whole number of digits");
       format_.digits = static_cast<int>(std::clamp<std::int64_t>(digits, 1, 17));
@@ -194,7 +199,7 @@ class FormatReader {
     }
     if (!format_.has("centre")) fields_.fail(field, "has no {centre}: no spheres can be read");
     const auto is_angle = [](const auto& one) { return angle_slot(one.first).has_value(); };
-    bool has_angle = std::ranges::any_of(format_.fixed, is_angle);
+    bool has_angle = format_.has("window_width") || std::ranges::any_of(format_.fixed, is_angle);
     for (const FormatStatement& one : format_.statements) {
       for (const FormatPart& part : one.parts) has_angle = has_angle || angle_slot(part.slot);
     }
@@ -293,21 +298,6 @@ Keywords keywords_of(std::string_view text) {
   return words;
 }
 
-/// Whether a number in a statement has a sign that the format excludes.
-bool has_wrong_sign(const FormatStatement& statement, std::string_view words) {
-  for (std::size_t k = 1; k < statement.parts.size(); ++k) {
-    const int sign = sign_of_slot(statement.parts[k].slot);
-    std::size_t count = std::max<std::size_t>(statement.parts[k].numbers, 1);
-    for (; count > 0; --count) {
-      words.remove_prefix(std::min(words.find_first_not_of(kBlanks), words.size()));
-      const std::string_view word = words.substr(0, words.find_first_of(kBlanks));
-      words.remove_prefix(word.size());
-      if (sign != 0 && parse_number(word).value_or(sign) * sign < 0) return true;
-    }
-  }
-  return false;
-}
-
 /// How well a format fits: which share of its camera's keywords is there, and whether their numbers
 /// have the right signs.
 std::pair<double, bool> fit(const FileFormat& format,
@@ -353,6 +343,20 @@ std::optional<AngleSlot> angle_slot(std::string_view slot) {
 }
 
 int sign_of_slot(std::string_view slot) { return slot == "distance" ? 1 : slot == "near" ? -1 : 0; }
+
+bool has_wrong_sign(const FormatStatement& statement, std::string_view words) {
+  for (std::size_t k = 1; k < statement.parts.size(); ++k) {
+    const int sign = sign_of_slot(statement.parts[k].slot);
+    std::size_t count = std::max<std::size_t>(statement.parts[k].numbers, 1);
+    for (; count > 0; --count) {
+      words.remove_prefix(std::min(words.find_first_not_of(kBlanks), words.size()));
+      const std::string_view word = words.substr(0, words.find_first_of(kBlanks));
+      words.remove_prefix(word.size());
+      if (sign != 0 && parse_number(word).value_or(sign) * sign < 0) return true;
+    }
+  }
+  return false;
+}
 
 bool FileFormat::has(std::string_view slot) const {
   return std::ranges::any_of(statements, [&](const FormatStatement& statement) {

@@ -35,8 +35,9 @@ struct FormatStatement {
   std::vector<FormatPart> parts;  ///< If the first is not a literal word, it is only written.
   std::string text;               ///< As in the template, with its line end.
   bool is_of_sphere = false;      ///< Whether it is repeated for each sphere.
-  /// Its first word, or the name of its first slot: "light", "extra".
-  const std::string& keyword() const {
+  /// Its first word, or the name of its first slot: "light", "extra"; empty if it has neither.
+  std::string_view keyword() const {
+    if (parts.empty()) return "";
     return parts.front().word.empty() ? parts.front().slot : parts.front().word;
   }
 };
@@ -51,6 +52,7 @@ struct FileFormat {
   std::string separators;             ///< Characters that separate words, besides blanks.
   std::string joint = " ";            ///< What is written between the numbers of a vector.
   bool by_lines = true;               ///< Whether a statement ends with its line.
+  bool is_left_handed = false;        ///< Whether x has the opposite sign.
   bool has_exponents = true;          ///< Whether numbers may be written with an exponent.
   int digits = 0;                     ///< To which numbers are rounded; 0: none is rounded.
   std::vector<FormatStatement> statements;
@@ -122,6 +124,10 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene);
 std::string write_formatted(const FileFormat& format, const Scene& scene,
                             std::span<const std::array<double, 3>> colours = {});
 
+/// A scene with a camera whose points and vectors have -x in place of x; its camera's U is then
+/// mirrored, too.
+Scene mirrored(Scene scene);
+
 /// A text without its byte order mark, if it begins with one.
 inline std::string_view without_mark(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
@@ -130,6 +136,9 @@ inline std::string_view without_mark(std::string_view text) {
 
 /// The sign that the number of a slot must have; 0: any.
 int sign_of_slot(std::string_view slot);
+
+/// Whether a number has another sign, in the words that follow a statement's keyword.
+bool has_wrong_sign(const FormatStatement& statement, std::string_view words);
 
 /// An angle of view: of which side, and how it is given.
 struct AngleSlot {

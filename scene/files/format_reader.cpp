@@ -93,6 +93,7 @@ class FormattedReader {
     conventions.origin = format_.origin.value_or(conventions.origin);
     loaded.scene.spheres = std::move(spheres_);
     loaded.scene.camera = camera();
+    if (format_.is_left_handed) loaded.scene = mirrored(std::move(loaded.scene));
     for (const auto& [what, count] : left_out_) {
       loaded.not_needed.push_back(count == 1 ? what : std::to_string(count) + " " + what + "s");
     }
@@ -428,8 +429,25 @@ class FormattedReader {
     return sides[0] > sides[1] || sides[2] > sides[3];
   }
 
-  /// Sets the window by the angle of view.
+  /// Sets the window by its width or by the angle of view.
   void set_angle(Camera& camera) const {
+    const double ratio = static_cast<double>(camera.width) / static_cast<double>(camera.height);
+    if (format_.has("window_width")) {
+      camera.right = required({"window_width"}).front() / 2;
+      camera.top = camera.right / ratio;
+    } else {
+      const auto [slot, angle] = angle_of();
+      const double half = std::tan(required({slot}).front() * angle.half) * std::abs(camera.near);
+      const bool is_vertical = angle.is_vertical(camera);
+      camera.top = is_vertical ? half : half / ratio;
+      camera.right = is_vertical ? half * ratio : half;
+    }
+    camera.bottom = -camera.top;
+    camera.left = -camera.right;
+  }
+
+  /// The slot of the angle that the file or the format gives; if none does, the template's.
+  std::pair<std::string_view, AngleSlot> angle_of() const {
     std::vector<std::string_view> slots;
     for (const FormatStatement& statement : format_.statements) {
       for (const FormatPart& part : statement.parts) {
@@ -442,14 +460,7 @@ class FormattedReader {
     const auto given =
         std::ranges::find_if(slots, [&](auto slot) { return find(slot) != nullptr; });
     const std::string_view slot = given == slots.end() ? slots.front() : *given;
-    const auto angle = angle_slot(slot);
-    const double half = std::tan(required({slot}).front() * angle->half) * std::abs(camera.near);
-    const double ratio = static_cast<double>(camera.width) / static_cast<double>(camera.height);
-    const bool is_vertical = angle->is_vertical(camera);
-    camera.top = is_vertical ? half : half / ratio;
-    camera.right = is_vertical ? half * ratio : half;
-    camera.bottom = -camera.top;
-    camera.left = -camera.right;
+    return {slot, angle_slot(slot).value()};
   }
 
   std::optional<std::size_t> line_of(const std::string& field) const {

@@ -30,6 +30,7 @@ Numbers of_camera(std::string_view slot, const Camera& camera) {
   if (slot == "bottom") return {camera.bottom};
   if (slot == "top") return {camera.top};
   if (slot == "width" || slot == "size") return {static_cast<double>(camera.width)};
+  if (slot == "window_width") return {camera.right - camera.left};
   if (slot == "height") return {static_cast<double>(camera.height)};
   if (const auto angle = angle_slot(slot)) {
     const double half = angle->is_vertical(camera) ? camera.top : camera.right;
@@ -168,6 +169,8 @@ class FormattedWriter {
     if (slot == "image") return "image.ppm";
     if (slot == "behind") return words(numbers_of(behind(*scene_.camera)));
     if (slot == "count") return std::to_string(scene_.spheres.size());
+    if (slot == "number") return std::to_string(sphere + 1);
+    if (slot == "at_eye") return words(numbers_of(scene_.camera->eye));
     if (slot == "index") return std::to_string(sphere);
     if (slot == "name") return "sphere" + std::to_string(sphere);
     Numbers numbers = of_camera(slot, *scene_.camera);
@@ -206,6 +209,13 @@ class FormattedWriter {
 
 }  // namespace
 
+Scene mirrored(Scene scene) {
+  Camera& camera = *scene.camera;
+  for (double* x : {&camera.eye.x, &camera.look_at.x, &camera.up.x}) *x = 0 - *x;
+  for (Sphere& sphere : scene.spheres) sphere.centre.x = 0 - sphere.centre.x;
+  return scene;
+}
+
 std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
   const Camera& camera = *scene.camera;
   const std::string its = "the format " + format.name;
@@ -217,7 +227,7 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
   if ((format.has("distance") || format.has("near")) && camera.near > 0) {
     return its + " can express only near < 0";
   }
-  if (format.has("size") && camera.width != camera.height) {
+  if ((format.has("size") || format.defaults.contains("size")) && camera.width != camera.height) {
     return its + " can express only images with width = height";
   }
   const Camera pose = fixed_pose(format, camera);
@@ -238,7 +248,9 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
 
 std::string write_formatted(const FileFormat& format, const Scene& scene,
                             std::span<const Colour> colours) {
-  return FormattedWriter(format, posed(format, scene), colours).write();
+  Scene moved = posed(format, scene);
+  if (format.is_left_handed) moved = mirrored(std::move(moved));
+  return FormattedWriter(format, std::move(moved), colours).write();
 }
 
 }  // namespace raycheck::scene

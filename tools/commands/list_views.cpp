@@ -13,6 +13,7 @@
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "scene/fields.h"
+#include "scene/files/format.h"
 #include "scene/text.h"
 #include "tools/commands/list.h"
 #include "tools/report/json.h"
@@ -179,6 +180,9 @@ std::string list_json() {
                 {"level", source.severities ? Json(nullptr) : Json(name(source.level))},
                 {"dial", or_null(source.severities, dial_json)}};
   });
+  json["formats"] = list_json(scene::formats(), [](const auto& one) {
+    return Json{{"name", one.first}, {"title", one.second.title}, {"endings", one.second.endings}};
+  });
   for (const Choice& choice : conventions()) {
     if (!choice.values.empty()) json["conventions"][choice.name] = choice.values;
   }
@@ -244,6 +248,10 @@ std::string list_text() {
   for (const properties::CaseSource& source : properties::case_sources()) {
     text += fmt::format("  {:<17} {}\n", source.name, source.sentence);
     text += levels_text(source);
+  }
+  text += "\nformats of scene files (--dialect):\n";
+  for (const auto& [name, format] : scene::formats()) {
+    text += fmt::format("  {:<17} {}\n", name, format.title);
   }
   text += "\nconventions (the first is the default):\n";
   for (const Choice& one : conventions()) {

@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "scene/files/file_text.h"
+#include "scene/files/format.h"
 #include "scene/invalid_input.h"
+#include "tools/commands/new_format.h"
 #include "tools/edge.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/report/version.h"
@@ -36,7 +38,7 @@ constexpr Language kLanguages[] = {
      "var void volatile while yield _ RaycheckCandidate "}};
 
 struct NewArguments {
-  std::string name, language = "cpp", out = ".";
+  std::string name, language = "cpp", out = ".", from;
 };
 
 std::string named(std::string_view text, const std::string& name) {
@@ -46,6 +48,38 @@ std::string named(std::string_view text, const std::string& name) {
     result.replace(at, kName.size(), name);
   }
   return result;
+}
+
+/// The path of a file to write. Error: std::invalid_argument if it exists.
+fs::path new_path(const NewArguments& arguments, const std::string& file) {
+  const fs::path path = (fs::path(arguments.out) / file).lexically_normal();
+  if (fs::exists(path)) {
+    throw std::invalid_argument(fmt::format(
+        "{} already exists; give another NAME, or another folder by --out", path.string()));
+  }
+  return path;
+}
+
+/// Writes a draft of a format from an example file, and says how far it reads the example.
+std::string write_format(const NewArguments& arguments) {
+  const std::string example = scene::file_text(arguments.from);
+  const fs::path path = new_path(arguments, arguments.name + ".toml");
+  make_folder("out", arguments.out);
+  OutputFile("out", path).write(drafted_format(arguments.name, arguments.from, example));
+  std::string said;
+  try {
+    const auto loaded = scene::load_scene(arguments.from, scene::format_named(path));
+    said = fmt::format(
+        "reads {} as {} x {} pixels and {}{}", arguments.from, loaded.scene.camera->width,
+        loaded.scene.camera->height, count_text(loaded.scene.spheres.size(), "sphere"),
+        loaded.not_needed.empty() ? "" : ", without " + scene::joined(loaded.not_needed));
+  } catch (const scene::SceneFileError& error) {
+    said = fmt::format("does not read {} yet: {}", arguments.from, error.what());
+  }
+  return fmt::format(
+      "wrote {}: it {}\nComplete it and its conventions (its first lines say what is left), then "
+      "try it:\n  raycheck check {} --dialect {}\n",
+      path.string(), said, arguments.from, path.string());
 }
 
 std::string write_adapter(const NewArguments& arguments) {
@@ -66,25 +100,22 @@ std::string write_adapter(const NewArguments& arguments) {
     texts.emplace_back(beside, scene::file_text(adapters() / beside));
   }
   const fs::path out = arguments.out;
-  if (fs::exists(out / file)) {
-    throw std::invalid_argument(
-        fmt::format("{} already exists; give another NAME, or another folder by --out",
-                    (out / file).lexically_normal().string()));
-  }
+  const fs::path path = new_path(arguments, file);
   make_folder("out", out);
   for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
   return fmt::format(
       "wrote {}: call your code in its functions, then judge it:\n"
       "  raycheck properties {}\n",
-      (out / file).lexically_normal().string(),
-      named(language->judged, (out / arguments.name).lexically_normal().string()));
+      path.string(), named(language->judged, (out / arguments.name).lexically_normal().string()));
 }
 
 }  // namespace
 
 CommandRun add_new(CLI::App& command) {
   const auto given = std::make_shared<NewArguments>();
-  command.add_option("NAME", given->name, "the name of the adapter: its file is named after it")
+  command
+      .add_option("NAME", given->name,
+                  "the name of the adapter or the format: its file is named after it")
       ->required()
       ->check([](const std::string& name) {
         constexpr std::string_view kLetters =
@@ -99,8 +130,13 @@ CommandRun add_new(CLI::App& command) {
       ->check(CLI::IsMember(names_of(kLanguages)))
       ->capture_default_str();
   command.add_option("--out", given->out, "the folder for the adapter")->capture_default_str();
+  command
+      .add_option(
+          "--from", given->from,
+          "instead of an adapter, draft a format of scene files, NAME.toml, from this example")
+      ->excludes(command.get_option("--language"));
   return [given] {
-    print_report(write_adapter(*given));
+    print_report(given->from.empty() ? write_adapter(*given) : write_format(*given));
     return kExitNothingFound;
   };
 }

@@ -112,6 +112,9 @@ std::string single_quoted(std::string_view word);
 /// A word of a command, quoted only if necessary.
 std::string shell_word(const std::string& word);
 
+/// A text as a TOML basic string.
+std::string toml_text(std::string_view text);
+
 /// Texts by a key, in the order in which the keys first came.
 template <class Key>
 using Grouped = std::vector<std::pair<Key, std::vector<std::string>>>;

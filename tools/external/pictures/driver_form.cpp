@@ -141,7 +141,7 @@ std::string DriverForm::text() const {
 std::vector<std::string> usual_order(const FileFormat& format) {
   std::vector<std::string> keywords;
   for (const FormatStatement& statement : format.statements) {
-    keywords.push_back(statement.keyword());
+    keywords.emplace_back(statement.keyword());
   }
   return keywords;
 }

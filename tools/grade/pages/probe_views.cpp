@@ -23,22 +23,6 @@ constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package
 
 constexpr std::size_t kMostNamed = 4;
 
-/// A TOML basic string.
-std::string toml_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += std::string("\\") + c;
-    } else if (byte < ' ' || byte == 0x7f) {
-      result += fmt::format("\\u{:04X}", byte);
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
-
 /// The submissions of each key, the most frequent key first; those without a key are left out.
 template <class KeyOf>
 auto grouped(const ClassGrade& report, const KeyOf& key_of) {
