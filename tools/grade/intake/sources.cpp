@@ -289,6 +289,16 @@ std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const st
       found.emplace(*file, line.substr(name, end + 1 - name));
     }
   }
+  if (found.empty()) {
+    // For some names GCC has no hint.
+    std::istringstream again(said);
+    for (std::string line; std::getline(again, line);) {
+      if (line.find("is not a member of 'std'") == std::string::npos) continue;
+      if (const auto file = file_called(files, line.substr(0, line.find(':')))) {
+        found.emplace(*file, "<bits/stdc++.h>");
+      }
+    }
+  }
   std::vector<IncludeRepair> repairs;
   for (const auto& [file, header] : found) repairs.push_back({file, 0, "", header});
   return repairs;
