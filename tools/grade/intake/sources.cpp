@@ -290,10 +290,11 @@ std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const st
     }
   }
   if (found.empty()) {
-    // For some names GCC has no hint.
+    // For some names GCC has no hint. Its quotes depend on the language.
     std::istringstream again(said);
     for (std::string line; std::getline(again, line);) {
-      if (line.find("is not a member of 'std'") == std::string::npos) continue;
+      const std::size_t member = line.find(" is not a member of ");
+      if (member == std::string::npos || line.find("std", member) == std::string::npos) continue;
       if (const auto file = file_called(files, line.substr(0, line.find(':')))) {
         found.emplace(*file, "<bits/stdc++.h>");
       }
