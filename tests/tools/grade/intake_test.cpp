@@ -161,6 +161,11 @@ const std::vector<Brought> kBuilt = {
      "",
      {"the missing #include <tuple> is added to one.cpp",
       "the missing #include <optional> is added to one.cpp", "the missing #include <"}},
+    {"is_a_script_beside_a_makefile_that_starts_it",
+     {{"Makefile", "build:\nrun: build\n\tpython3 rt.py $(file)\n"},
+      {"rt.py", renderer_in_python("", "'output.ppm'")}},
+     "python3 ./rt.py",
+     {"its Makefile makes no program; built from its sources", "it writes output.ppm"}},
     // package.json is preferred to the file with a likelier name.
     {"is_a_module_that_package_json_names",
      {{"package.json", R"({"type": "module", "main": "./src/tracer"})"},
