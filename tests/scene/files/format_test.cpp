@@ -170,11 +170,14 @@ Scene random_scene(std::mt19937_64& random, const FileFormat& format) {
   fixed_count("width", camera.width);
   fixed_count("height", camera.height);
   const double ratio = static_cast<double>(camera.height) / static_cast<double>(camera.width);
-  const auto angle = format.fixed.find("fovy");
   camera.near = format.has_angle() ? -1 : -positive();
-  camera.right = angle != format.fixed.end()
-                     ? std::tan(angle->second[0] * angle_slot("fovy")->half) / ratio
-                     : positive();
+  camera.right = positive();
+  for (const auto& [slot, numbers] : format.fixed) {
+    const auto angle = angle_slot(slot);
+    if (!angle) continue;
+    const double half = std::tan(numbers[0] * angle->half);
+    camera.right = angle->is_vertical(camera) ? half / ratio : half;
+  }
   camera.top = format.has_angle() ? camera.right * ratio : positive();
   camera.left = format.has_angle() ? -camera.right : -positive();
   camera.bottom = format.has_angle() ? -camera.top : -positive();

@@ -197,6 +197,7 @@ std::vector<fs::path> system_paths() {
                                  "/etc/ld.so.cache",
                                  "/etc/ld.so.conf",
                                  "/etc/ld.so.conf.d",
+                                 "/etc/matplotlibrc",
                                  "/etc/ssl/openssl.cnf"};
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator("/etc", ignored)) {

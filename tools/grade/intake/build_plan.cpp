@@ -24,7 +24,7 @@ std::string stem_of(const std::string& path) {
 
 std::vector<std::string> with_ending(const HandedInFiles& files,
                                      const std::vector<std::string>& endings) {
-  return own_sources(files, {}, [&](const std::string& path, const HandedInFile&) {
+  return own_sources(files, vendored_in(files), [&](const std::string& path, const HandedInFile&) {
     return is_one_of(endings, ending_of(path));
   });
 }

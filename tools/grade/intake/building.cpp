@@ -28,6 +28,11 @@ constexpr std::size_t kMostPrograms = 8;
 /// Missing headers are added in at most this many rounds.
 constexpr int kMostRepairs = 3;
 
+/// A build without errors that makes nothing to run, such as a Makefile for scripts.
+struct MadeNoProgram : CandidateError {
+  using CandidateError::CandidateError;
+};
+
 /// The first bytes of a file, enough to recognise its format.
 std::string head_of(const fs::path& path) {
   constexpr std::size_t kFirstBytes = 64;
@@ -102,7 +107,7 @@ std::vector<std::string> made_by(const BuildAttempt& attempt, const Intake& inta
   if (!makes_program) return {attempt.program};
   std::vector<std::string> made = made_programs(to, attempt.made);
   if (made.empty()) made = made_classes(to, attempt.main_class, intake.sources.files);
-  if (made.empty()) throw CandidateError(fmt::format("'{}' did not make a program", attempt.shown));
+  if (made.empty()) throw MadeNoProgram(fmt::format("'{}' did not make a program", attempt.shown));
   return made;
 }
 
@@ -161,7 +166,7 @@ Built auto_built(const Intake& intake, std::size_t way, const fs::path& to) {
     try {
       Built made = built_by(attempt, intake, to);
       made.next_way = next_way(plan, way);
-      for (std::string& note : notes) note += " failed; built from " + attempt.what;
+      for (std::string& note : notes) note += "; built from " + attempt.what;
       std::move(made.notes.begin(), made.notes.end(), std::back_inserter(notes));
       made.notes = std::move(notes);
       return made;
@@ -173,7 +178,10 @@ Built auto_built(const Intake& intake, std::size_t way, const fs::path& to) {
         said += fmt::format("{}{}{}{}", said.empty() ? "" : "\n\n", error.why(),
                             error.output().empty() ? "" : ":\n", error.output());
       }
-      if (failed != attempt.what) notes.push_back(attempt.what);
+      const bool made_none = dynamic_cast<const MadeNoProgram*>(&error) != nullptr;
+      if (failed != attempt.what) {
+        notes.push_back(attempt.what + (made_none ? " makes no program" : " failed"));
+      }
       failed = attempt.what;
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <cctype>
 #include <set>
 #include <sstream>
 
@@ -119,9 +120,23 @@ std::vector<std::string> made_by(const std::string& makefile) {
   return names;
 }
 
-/// The linker options that the sources need.
+/// The linker options that the sources need: those that their headers and Makefiles name, if this
+/// machine has them.
 std::string libraries_of(const HandedInFiles& files, const std::vector<std::string>& sources) {
   std::string libraries = "-pthread -lm";
+  std::set<std::string> linked;
+  for (const auto& [name, file] : files) {
+    if (boost::to_lower_copy(base_of(name)) != "makefile") continue;
+    std::istringstream words(file.text);
+    const auto is_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    for (std::string word; words >> word;) {
+      if (word.starts_with("-l") && std::all_of(word.begin() + 2, word.end(), is_name))
+        linked.insert(word);
+    }
+  }
+  for (const std::string& one : linked) {
+    libraries += fmt::format(" $(gcc -shared -o /dev/null {0} 2> /dev/null && echo {0})", one);
+  }
   std::set<std::string> headers;
   for (const auto& [name, file] : files) {
     if (!is_c_family(name)) continue;

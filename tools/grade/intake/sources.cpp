@@ -289,6 +289,17 @@ std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const st
       found.emplace(*file, line.substr(name, end + 1 - name));
     }
   }
+  if (found.empty()) {
+    // For some names GCC has no hint. Its quotes depend on the language.
+    std::istringstream again(said);
+    for (std::string line; std::getline(again, line);) {
+      const std::size_t member = line.find(" is not a member of ");
+      if (member == std::string::npos || line.find("std", member) == std::string::npos) continue;
+      if (const auto file = file_called(files, line.substr(0, line.find(':')))) {
+        found.emplace(*file, "<bits/stdc++.h>");
+      }
+    }
+  }
   std::vector<IncludeRepair> repairs;
   for (const auto& [file, header] : found) repairs.push_back({file, 0, "", header});
   return repairs;

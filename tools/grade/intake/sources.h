@@ -99,7 +99,8 @@ struct IncludeRepair {
 std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
                                            const std::vector<std::string>& include);
 
-/// The missing includes that GCC suggests: "did you forget to '#include <tuple>'?"
+/// The missing includes that GCC suggests: "did you forget to '#include <tuple>'?" If it suggests
+/// none for a name of namespace std, all of the standard library.
 std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said);
 
 /// A shell command that applies repairs in a copy of the submission; empty if there are none.
