@@ -201,8 +201,12 @@ bool Renderer::is_told_name() const {
   });
 }
 
-std::string driver_text(const scene::Scene& scene, const DriverForm& form) {
-  return driver_text(scene, form, SphereColours(scene.spheres.size()).all());
+std::string driver_text(const scene::Scene& scene, const DriverForm& form,
+                        const ColourHabit& habit) {
+  const std::size_t count = scene.spheres.size();
+  return driver_text(scene, form,
+                     habit.tells_spheres ? SphereColours(count).all()
+                                         : std::vector<Colour>(count, {255, 255, 255}));
 }
 
 properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
@@ -283,8 +287,9 @@ properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& sce
     const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
     if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
   }
-  return image_answer(rendered(renderer, driver_text(scene, renderer.driver), size).picture,
-                      *scene.camera, rows, scene.spheres.size(), renderer.colours);
+  const std::string driver = driver_text(scene, renderer.driver, renderer.colours);
+  return image_answer(rendered(renderer, driver, size).picture, *scene.camera, rows,
+                      scene.spheres.size(), renderer.colours);
 }
 
 }  // namespace raycheck::tools
