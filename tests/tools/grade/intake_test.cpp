@@ -241,6 +241,11 @@ const std::vector<Brought> kRefused = {
               "awk '/[0-9]\\.[0-9]|e-/ { print \"not whole: \" $0; exit 1 }' \"$1\" >&2 || exit 1\n"
               "{ echo P3 25 25 255; yes 1 2 3 | head -n 625; } > \"$2\"\n"}},
             {"it reads numbers as integers, and fails if a number has a fraction", "not whole: "}),
+    refused("opens_a_window",
+            {{"rt.sh", "echo \"freeglut (rt): failed to open display ''\" >&2\nexit 1\n"}},
+            {"it exited with 1; it opens a window, and there is no display: it must draw without "
+             "one, into a file",
+             "failed to open display"}),
     refused("writes_too_large_a_file",
             {{"rt.c",
               "#include <stdio.h>\nint main() { FILE* f = fopen(\"image.ppm\", \"w\");\n"

@@ -185,12 +185,12 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
         fmt::format("it {}{}", failure->why(), limit_text(process.error_output(), program.limits)),
         said);
   }
-  throw ProcessFailure(
-      FailureKind::kBadReply,
-      renderer.is_told_name()
-          ? fmt::format("it exited with 0, but did not write its picture, {}", kImageFile)
-          : "it exited with 0, but did not write a picture",
-      said);
+  const std::string missing =
+      renderer.is_told_name() ? fmt::format("its picture, {}", kImageFile) : "a picture";
+  throw ProcessFailure(FailureKind::kBadReply,
+                       fmt::format("it exited with 0, but did not write {}{}", missing,
+                                   limit_text(process.error_output(), program.limits)),
+                       said);
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ std::string_view cut_to(std::string_view text, std::size_t most);
 /// output.
 std::string last_line_text(const KeptText& error_output);
 
-/// The limit that a failed program met, recognised from its output, as a clause; empty if none is
-/// recognised.
+/// The limit that a failed program met, or that it needs a display, recognised from its output, as
+/// a clause; empty if neither is recognised.
 std::string limit_text(const KeptText& error_output, const Limits& limits);
 
 /// A sandboxed process in a private folder, with pipes to its standard streams. When it ends, its
