@@ -387,6 +387,10 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
   bring(grading, "unpacked", {{"src/Main.java", kJava}});
   bring(grading, "makefile",
         with({{"Makefile", "all:\n\tjavac -d bin src/Main.java Discs.java\n"}}, sources));
+  bring(grading, "silent",
+        {{"Main.java",
+          "public class Main {\n  public static void main(String[] words) {\n"
+          "    System.out.println(\"no picture\");\n  }\n}\n"}});
   bring(grading, "missing",
         {{"Main.java", "import org.ejml.simple.SimpleMatrix;\n" + kJava.substr(16)}});
   const std::string discs = grading.write("Discs.java", kJavaDiscs);
@@ -394,7 +398,7 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
                "' && cd unpacked && "
                "python3 -m zipfile -c ../jars/lib/discs.jar util\n",
            0);
-  grade_brought(grading, {"jars", "unpacked", "makefile", "missing"});
+  grade_brought(grading, {"jars", "unpacked", "makefile", "silent", "missing"});
   for (const auto& [name, path] : {std::pair("jars", "raycheck-classes:.:lib/discs.jar"),
                                    {"unpacked", "raycheck-classes:."},
                                    {"makefile", "./bin:."}}) {
@@ -406,6 +410,9 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
   }
   expect_parts(grading.result("missing")["refused"]["why"],
                {"the package org.ejml.simple is missing: put its jar beside the sources"});
+  EXPECT_FALSE(has(grading.result("missing").dump(), "JAVA_TOOL_OPTIONS"));
+  EXPECT_EQ(grading.result("silent")["refused"]["why"],
+            "it exited with 0, but did not write its picture, image.ppm; it printed: no picture");
 }
 
 /// The program waits in the forms that it reads, and rejects the others.

@@ -18,11 +18,12 @@
 
 namespace raycheck::tools {
 
-/// Keeps the beginning and the end of a program's output, which may have any length.
+/// Keeps the beginning and the end of a program's output, which may have any length, without the
+/// lines in which Java reports raycheck's own options.
 class KeptText {
  public:
   void append(std::string_view more);
-  bool empty() const { return begin_.empty(); }
+  bool empty() const { return text().empty(); }
   /// The beginning and the end, with a line between them that counts the missing bytes.
   std::string text() const;
   /// Its first and last lines, and the number of lines between them; without terminal control
