@@ -160,6 +160,65 @@ const std::vector<Brought> kBuilt = {
      "",
      {"the missing #include <tuple> is added to one.cpp",
       "the missing #include <optional> is added to one.cpp"}},
+    {"is_given_headers_of_which_gcc_says_only_that_a_name_is_missing",
+     with(kSources,
+          {{"one.cpp",
+            "#include \"format.h\"\n#include <vector>\n"
+            "int unused(std::vector<double>& v) {\n"
+            "  std::sort(v.begin(), v.end());\n"
+            "  return static_cast<int>(sqrt(v[0])) + INT_MAX - int(strlen(\"\"));\n}\n"}}),
+     "",
+     {"the missing #include <algorithm> is added to one.cpp",
+      "the missing #include <climits> is added to one.cpp",
+      "the missing #include <cmath> is added to one.cpp",
+      "the missing #include <cstring> is added to one.cpp"}},
+    // As GCC reports an error in a header of the system.
+    {"is_given_a_macro_that_an_error_names",
+     with(kSources,
+          {{"one.cpp", "#include <glm/glm.hpp>\n"},
+           {"Makefile",
+            "rt:\n\tgrep -q 'define GLM_ENABLE_EXPERIMENTAL' one.cpp || { printf '%s\\n' "
+            "'In file included from one.cpp:1:' '/usr/include/glm/gtx/x.hpp:23:3: error: #error "
+            "\"GLM: Use #define GLM_ENABLE_EXPERIMENTAL before including it\"'; false; }\n"
+            "\tg++ -o rt rt.cpp format.cpp\n"}}),
+     "./rt ",
+     {"the missing #define GLM_ENABLE_EXPERIMENTAL is added to one.cpp"}},
+    {"defines_a_variable_in_two_files",
+     {{"rt.c", kC + "int shared;\n"}, {"two.c", "int shared;\n"}},
+     "",
+     {"compiled with -fcommon: several of its files define the same variable"}},
+    {"passes_constants_where_gcc_takes_them_only_with_fpermissive",
+     with(kSources,
+          {{"one.cpp", "void* none() { return 0; }\nint* unused() { return none(); }\n"}}),
+     "",
+     {"compiled with -fpermissive: GCC names this option for some of its errors"}},
+    {"is_linked_with_the_libraries_of_its_headers",
+     {{"rt.c", "#include <GL/glut.h>\n#include <FreeImage.h>\n" +
+                   replaced(kC, "char line",
+                            "if (count > 9) glutInit(&count, words), glFlush(), "
+                            "FreeImage_GetVersion();\n  char line")}},
+     "",
+     {"built with -lfreeimage -lglut -lGLU -lGL, which its headers need"},
+     "/usr/include/FreeImage.h"},
+    // Of several usual command lines, the one with which it draws is taken.
+    {"takes_the_picture_first",
+     {{"rt.py",
+       replaced(renderer_in_python("", "sys.argv[1]"), "open(sys.argv[1])", "open(sys.argv[2])")}},
+     "renderer:python3 ./rt.py {image} {scene}",
+     {"it makes no picture when it is called as python3 ./rt.py {scene} {image}; it is called as "
+      "python3 ./rt.py {image} {scene}"}},
+    {"takes_options",
+     {{"rt.py",
+       "import sys\nwords = dict(zip(sys.argv[1::2], sys.argv[2::2]))\n"
+       "sys.argv = ['', words['-input'], words['-output']]\n" +
+           renderer_in_python()}},
+     "-input {scene} -output {image}",
+     {"it is called as python3 ./rt.py -input {scene} -output {image} -size {width} {height}"}},
+    {"reads_its_scene_from_standard_input_and_prints_its_picture",
+     {{"rt.c", replaced(replaced(kC, "fopen(words[count - 2], \"r\")", "stdin"),
+                        "fopen(words[count - 1], \"w\")", "count == 1 ? stdout : 0")}},
+     "sh -c '$* < {scene} > {image}' - ./raycheck-built",
+     {"it is called as "}},
     // package.json is preferred to the file with a likelier name.
     {"is_a_module_that_package_json_names",
      {{"package.json", R"({"type": "module", "main": "./src/tracer"})"},
