@@ -77,7 +77,8 @@ std::set<std::string> read_of(const fs::path& folder, const fs::path& made) {
 /// as this object.
 class BuildStep {
  public:
-  BuildStep(const std::string& name, const Confined& confined) : process_(confined) {
+  BuildStep(const std::string& name, const Confined& confined, std::string* said = nullptr)
+      : process_(confined) {
     std::string failure;
     try {
       const int code = process_.finish();
@@ -86,6 +87,7 @@ class BuildStep {
       failure = error.what();
     }
     if (!failure.empty()) {
+      if (said != nullptr) *said = process_.error_output().text();
       throw CandidateError(fmt::format("{} {}{}", name, failure,
                                        limit_text(process_.error_output(), confined.limits)),
                            process_.error_output().excerpt());
@@ -184,7 +186,7 @@ void build(const fs::path& folder, const BuildWords& words, const fs::path& to,
   confined.arguments = {
       "sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words.words + "\n} >&2",
       "sh", folder, adapters()};
-  const BuildStep step(fmt::format("'{}'", words.shown), confined);
+  const BuildStep step(fmt::format("'{}'", words.shown), confined, words.said);
   std::uintmax_t bytes = 0;
   for (const auto& entry : fs::recursive_directory_iterator(step.folder())) {
     if (!fs::is_regular_file(entry.symlink_status())) continue;

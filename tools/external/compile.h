@@ -35,6 +35,7 @@ struct BuildWords {
   std::string shown;  ///< The command's name in errors.
   /// Whether to copy a file that the command made; empty: copy all.
   std::function<bool(const std::filesystem::path& file)> keeps = {};
+  std::string* said = nullptr;  ///< Gets the output of a command that fails, longer than in errors.
 };
 
 /// Runs a shell command in a copy of a folder, with the Java adapter added, sandboxed like a

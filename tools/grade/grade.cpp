@@ -114,9 +114,9 @@ std::map<std::string, std::string> files_for_student(const StudentGrade& shown) 
     if (!failing) continue;
     const std::string name = file_name(shown.items[k]->name);
     files[name + kSceneEnding] = scene_text(*failing);
-    const DriverForm form = shown.submission.found.driver();
-    const std::string driver = driver_file_text(*failing, form);
-    if (!driver.empty()) files[name + form.ending()] = driver;
+    const Preparation& found = shown.submission.found;
+    const std::string driver = driver_file_text(*failing, found);
+    if (!driver.empty()) files[name + found.driver().ending()] = driver;
   }
   files[kReportFile] = report_page(shown);
   if (has_figures(shown)) files[kFiguresFile] = figures_page(shown);
@@ -192,7 +192,9 @@ class ClassRun {
           control.progress(state);
           control.done(state + ": " + one.name);
           all.push_back(std::move(one));
-        });
+        },
+        // All results are kept in any case, so that none need wait for a slow build.
+        std::max<std::size_t>(1, submissions.size()));
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k].outside.empty() || control.interrupted()) continue;
       const std::string again =

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "properties/run_control.h"
 #include "scene/interruption.h"
@@ -38,12 +39,14 @@ inline scene::ForEach for_each_on(const properties::RunControl& control) {
 }
 
 /// Calls make(k) for every k in [0, count) on the threads of `control`, and take(result) one after
-/// the other in the order of k, so that the outcome does not depend on the number of threads. Only
-/// a few results are in memory at a time. Stops early on an interrupt; if that occurs inside
-/// make(), its result is not taken. Other exceptions of make and take pass through.
+/// the other in the order of k, so that the outcome does not depend on the number of threads. At
+/// most `most_made` results are made or wait to be taken at a time, by default twice the number of
+/// threads: a make() that takes long stops the other threads once the rest of them wait. Stops
+/// early on an interrupt; if that occurs inside make(), its result is not taken. Other exceptions
+/// of make and take pass through.
 template <class Result, class Make, class Take>
 void in_order(std::int64_t count, const properties::RunControl& control, const Make& make,
-              const Take& take) {
+              const Take& take, std::optional<std::size_t> most_made = {}) {
   std::int64_t next = 0;
   const auto number = [&](tbb::flow_control& flow) -> std::int64_t {
     if (next == count || control.interrupted()) {
@@ -60,7 +63,7 @@ void in_order(std::int64_t count, const properties::RunControl& control, const M
   try {
     on_threads(control, [&] {
       tbb::parallel_pipeline(
-          2 * static_cast<std::size_t>(control.threads),
+          most_made.value_or(2 * static_cast<std::size_t>(control.threads)),
           tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, number) &
               tbb::make_filter<std::int64_t, Shared>(tbb::filter_mode::parallel, made) &
               tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,

@@ -115,6 +115,32 @@ TEST(Rubric, that_raychecks_own_methods_fail_ends_with_1) {
 
 class Grades : public GradingTest {};
 
+/// The first build waits for the last one.
+TEST_F(Grades, do_not_wait_for_a_slow_build) {
+  const std::string last = "'" + grading.path("last") + "'";
+  std::vector<std::string> folders;
+  for (int k = 0; k < 9; ++k) {
+    const std::string does = k == 0 ? "for k in $$(seq 300); do test -e " + last +
+                                          " && break; sleep 0.1; done; test -e " + last
+                             : k == 8 ? "touch " + last
+                                      : ":";
+    folders.push_back(grading.hand_in("s" + std::to_string(k), "Makefile",
+                                      "rt:\n\t" + does + "\n\tprintf '#!/bin/sh\\n' > rt\n"));
+    grading.write("submissions/s" + std::to_string(k) + "/rt.py", renderer_in_python());
+  }
+  const std::string rubric = grading.write(
+      "own.toml",
+      replaced(replaced(full_rubric(1), "\"auto\"", "\"make\""), "{program}", "python3 rt.py"));
+  const json report = json::parse(
+      grading.grade(rubric, folders, "out", kLimitsOnly + std::string("--format json --jobs 2"))
+          .out);
+  ASSERT_EQ(report["submissions"].size(), folders.size());
+  for (std::size_t k = 0; k < folders.size(); ++k) {
+    EXPECT_EQ(report["submissions"][k]["name"], "s" + std::to_string(k));
+    EXPECT_EQ(report["submissions"][k]["score"], 10) << report["submissions"][k].dump(2);
+  }
+}
+
 TEST_F(Grades, are_the_same_bytes_for_any_number_of_jobs_and_with_stored_answers) {
   // One quick submission of every kind.
   const std::vector<std::string> folders = {

@@ -145,8 +145,11 @@ const std::vector<Brought> kBuilt = {
     {"has_a_source_that_does_not_compile_and_that_nothing_includes",
      with(kSources, {{"attempt.cpp", "this is not C++\n"}}),
      "",
-     {"its sources failed; built from its sources",
-      "only files whose headers are included are compiled"}},
+     {"its sources failed; built from the sources that rt.cpp includes"}},
+    {"has_a_makefile_and_a_source_that_both_fail",
+     with(kSources, {{"Makefile", "rt:\n\tfalse\n"}, {"attempt.cpp", "this is not C++\n"}}),
+     "",
+     {"its Makefile and its sources failed; built from the sources that rt.cpp includes"}},
     {"finds_headers_by_names_of_other_systems",
      {{"src/rt.cpp", replaced(kCpp, "format.h", "..\\\\Include\\\\Format.h")},
       {"src/format.cpp", kFormatSource},
@@ -160,7 +163,66 @@ const std::vector<Brought> kBuilt = {
                       "auto digits() { return std::setprecision(2); }\n"}}),
      "",
      {"the missing #include <tuple> is added to one.cpp",
-      "the missing #include <optional> is added to one.cpp", "the missing #include <"}},
+      "the missing #include <optional> is added to one.cpp"}},
+    {"is_given_headers_of_which_gcc_says_only_that_a_name_is_missing",
+     with(kSources,
+          {{"one.cpp",
+            "#include \"format.h\"\n#include <vector>\n"
+            "int unused(std::vector<double>& v) {\n"
+            "  std::sort(v.begin(), v.end());\n"
+            "  return static_cast<int>(sqrt(v[0])) + INT_MAX - int(strlen(\"\"));\n}\n"}}),
+     "",
+     {"the missing #include <algorithm> is added to one.cpp",
+      "the missing #include <climits> is added to one.cpp",
+      "the missing #include <cmath> is added to one.cpp",
+      "the missing #include <cstring> is added to one.cpp"}},
+    // As GCC reports an error in a header of the system.
+    {"is_given_a_macro_that_an_error_names",
+     with(kSources,
+          {{"one.cpp", "#include <glm/glm.hpp>\n"},
+           {"Makefile",
+            "rt:\n\tgrep -q 'define GLM_ENABLE_EXPERIMENTAL' one.cpp || { printf '%s\\n' "
+            "'In file included from one.cpp:1:' '/usr/include/glm/gtx/x.hpp:23:3: error: #error "
+            "\"GLM: Use #define GLM_ENABLE_EXPERIMENTAL before including it\"'; false; }\n"
+            "\tg++ -o rt rt.cpp format.cpp\n"}}),
+     "./rt ",
+     {"the missing #define GLM_ENABLE_EXPERIMENTAL is added to one.cpp"}},
+    {"defines_a_variable_in_two_files",
+     {{"rt.c", kC + "int shared;\n"}, {"two.c", "int shared;\n"}},
+     "",
+     {"compiled with -fcommon: several of its files define the same variable"}},
+    {"passes_constants_where_gcc_takes_them_only_with_fpermissive",
+     with(kSources,
+          {{"one.cpp", "void* none() { return 0; }\nint* unused() { return none(); }\n"}}),
+     "",
+     {"compiled with -fpermissive: GCC names this option for some of its errors"}},
+    {"is_linked_with_the_libraries_of_its_headers",
+     {{"rt.c", "#include <GL/glut.h>\n#include <FreeImage.h>\n" +
+                   replaced(kC, "char line",
+                            "if (count > 9) glutInit(&count, words), glFlush(), "
+                            "FreeImage_GetVersion();\n  char line")}},
+     "",
+     {"built with -lfreeimage -lglut -lGLU -lGL, which its headers need"},
+     "/usr/include/FreeImage.h"},
+    // Of several usual command lines, the one with which it draws is taken.
+    {"takes_the_picture_first",
+     {{"rt.py",
+       replaced(renderer_in_python("", "sys.argv[1]"), "open(sys.argv[1])", "open(sys.argv[2])")}},
+     "renderer:python3 ./rt.py {image} {scene}",
+     {"it makes no picture when it is called as python3 ./rt.py {scene} {image}; it is called as "
+      "python3 ./rt.py {image} {scene}"}},
+    {"takes_options",
+     {{"rt.py",
+       "import sys\nwords = dict(zip(sys.argv[1::2], sys.argv[2::2]))\n"
+       "sys.argv = ['', words['-input'], words['-output']]\n" +
+           renderer_in_python()}},
+     "-input {scene} -output {image}",
+     {"it is called as python3 ./rt.py -input {scene} -output {image} -size {width} {height}"}},
+    {"reads_its_scene_from_standard_input_and_prints_its_picture",
+     {{"rt.c", replaced(replaced(kC, "fopen(words[count - 2], \"r\")", "stdin"),
+                        "fopen(words[count - 1], \"w\")", "count == 1 ? stdout : 0")}},
+     "sh -c '$* < {scene} > {image}' - ./raycheck-built",
+     {"it is called as "}},
     {"is_a_script_beside_a_makefile_that_starts_it",
      {{"Makefile", "build:\nrun: build\n\tpython3 rt.py $(file)\n"},
       {"rt.py", renderer_in_python("", "'output.ppm'")}},
@@ -253,6 +315,11 @@ const std::vector<Brought> kRefused = {
               "awk '/[0-9]\\.[0-9]|e-/ { print \"not whole: \" $0; exit 1 }' \"$1\" >&2 || exit 1\n"
               "{ echo P3 25 25 255; yes 1 2 3 | head -n 625; } > \"$2\"\n"}},
             {"it reads numbers as integers, and fails if a number has a fraction", "not whole: "}),
+    refused("opens_a_window",
+            {{"rt.sh", "echo \"freeglut (rt): failed to open display ''\" >&2\nexit 1\n"}},
+            {"it exited with 1; it opens a window, and there is no display: it must draw without "
+             "one, into a file",
+             "failed to open display"}),
     refused("writes_too_large_a_file",
             {{"rt.c",
               "#include <stdio.h>\nint main() { FILE* f = fopen(\"image.ppm\", \"w\");\n"
@@ -394,6 +461,10 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
   bring(grading, "unpacked", {{"src/Main.java", kJava}});
   bring(grading, "makefile",
         with({{"Makefile", "all:\n\tjavac -d bin src/Main.java Discs.java\n"}}, sources));
+  bring(grading, "silent",
+        {{"Main.java",
+          "public class Main {\n  public static void main(String[] words) {\n"
+          "    System.out.println(\"no picture\");\n  }\n}\n"}});
   bring(grading, "missing",
         {{"Main.java", "import org.ejml.simple.SimpleMatrix;\n" + kJava.substr(16)}});
   const std::string discs = grading.write("Discs.java", kJavaDiscs);
@@ -401,7 +472,7 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
                "' && cd unpacked && "
                "python3 -m zipfile -c ../jars/lib/discs.jar util\n",
            0);
-  grade_brought(grading, {"jars", "unpacked", "makefile", "missing"});
+  grade_brought(grading, {"jars", "unpacked", "makefile", "silent", "missing"});
   for (const auto& [name, path] : {std::pair("jars", "raycheck-classes:.:lib/discs.jar"),
                                    {"unpacked", "raycheck-classes:."},
                                    {"makefile", "./bin:."}}) {
@@ -413,6 +484,9 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
   }
   expect_parts(grading.result("missing")["refused"]["why"],
                {"the package org.ejml.simple is missing: put its jar beside the sources"});
+  EXPECT_FALSE(has(grading.result("missing").dump(), "JAVA_TOOL_OPTIONS"));
+  EXPECT_EQ(grading.result("silent")["refused"]["why"],
+            "it exited with 0, but did not write its picture, image.ppm; it printed: no picture");
 }
 
 /// The program waits in the forms that it reads, and rejects the others.

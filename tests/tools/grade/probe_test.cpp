@@ -210,6 +210,45 @@ TEST_F(Probe, describes_colours_only_if_spheres_are_shown) {
   }
 }
 
+/// It draws green and blue spheres in black.
+TEST_F(Probe, shows_white_spheres_to_a_renderer_whose_colours_do_not_identify_them) {
+  const std::string red = grading_.hand_in(
+      "red", "rt.py", drawing_renderer("SHOWN = lambda c: [c[0], 0, 0]\nSEEN = lambda v: v > 0\n"));
+  const std::string seen = item_of("seen", "points = 10",
+                                   "[item.pictures]\njudge = \"mask\"\nimage_change = 0.01\n"
+                                   "scenes = [\"lecture7/overlap.toml\"]");
+  grading_.grade(grading_.write("seen.toml", kAsTheyCome + seen), {red});
+  EXPECT_EQ(grading_.result("red")["score"], 10) << grading_.result("red").dump(2);
+}
+
+/// A renderer of a format, for which only the variants 1d have enough numbers of a colour.
+TEST_F(Probe, takes_the_variant_of_a_format_in_which_colours_identify_spheres) {
+  const auto drawing = [&](const std::string& name, const std::string& colour) {
+    return grading_.hand_in(name, "rt.py", R"(import sys
+words = [line.split() for line in open(sys.argv[1])]
+w, h = next([int(x) for x in one[1:]] for one in words if one[0] == 'imsize')
+material = next([float(x) for x in one[1:]] for one in words if one[0] == 'mtlcolor')
+colour = )" + colour + R"(
+def shown(k):
+    x, y = abs(2 * (k % w) - w + 1), abs(2 * (k // w) - h + 1)
+    far, near = max(x, y), min(x, y)
+    return far * far + near * near < 25 or (far - 15) ** 2 + near * near < 33
+with open(sys.argv[2], 'w') as image:
+    print('P3', w, h, 255, file=image)
+    for k in range(w * h): print(*(colour if shown(k) else (0, 0, 0)), file=image)
+)");
+  };
+  const json all =
+      probed({drawing("first", "[round(255 * x) for x in material[:3]]"),
+              drawing("full",
+                      "[round(255 * x) for x in material[:3]] if len(material) > 9 else "
+                      "[255, 255, 255]")},
+             one_form("cse5607"));
+  EXPECT_EQ(all[0]["dry_run"]["dialect"], "cse5607") << all[0];
+  EXPECT_EQ(all[1]["dry_run"]["dialect"], "cse5607-1d") << all[1];
+  EXPECT_EQ(all[1]["dry_run"]["tells_spheres"], true) << all[1];
+}
+
 TEST_F(Probe, omits_a_light_if_only_the_light_makes_a_renderer_fail) {
   // The light in the dry run's scene has integer coordinates.
   const json lit = probed({grading_.hand_in(

@@ -124,6 +124,16 @@ sys.exit(3 if asked == open(first).read() else 0)
   EXPECT_EQ(lines("starts"), starts);
 }
 
+/// Its folder has another name in each run.
+TEST_F(Store, gives_a_reason_without_the_folder_of_the_run_that_heard_it) {
+  const std::string program =
+      submit("mine", "rt.py",
+             "import sys\nprint(__file__, file=sys.stderr)\nprint('b', file=sys.stderr)\n");
+  const json first = graded(rubric(10), {program})["submissions"][0]["refused"];
+  EXPECT_EQ(first["said"], "rt.py\nb");
+  EXPECT_EQ(graded(rubric(12), {program})["submissions"][0]["refused"], first);
+}
+
 TEST_F(Store, builds_equal_submissions_once_and_asks_only_new_or_changed_questions) {
   const std::string folder = submit("mine", "rays.py", kHits);
   const json report = graded(

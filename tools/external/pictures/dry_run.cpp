@@ -364,4 +364,22 @@ DryRun dry_run(Renderer renderer, const DriverRule& rule, const properties::RunC
   return DryRunner(std::move(renderer), rule, control).run();
 }
 
+bool makes_a_picture(const Renderer& renderer, const DriverRule& rule) {
+  constexpr std::size_t kMostForms = 4;
+  const scene::Scene scene = symmetric_scene();
+  const PictureSize size = {scene.camera->width, scene.camera->height};
+  std::vector<DriverForm> forms = known_forms(rule.form);
+  forms.resize(std::min(forms.size(), rule.tries_others ? kMostForms : 1));
+  return std::ranges::any_of(forms, [&](const DriverForm& form) {
+    Renderer reading = renderer;
+    reading.driver = form;
+    try {
+      rendered(reading, driver_text(scene, form, ColourHabit{.tells_spheres = false}), size);
+      return true;
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  });
+}
+
 }  // namespace raycheck::tools

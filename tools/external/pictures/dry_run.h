@@ -54,4 +54,7 @@ inline constexpr double kShownAlike = 0.6;
 DryRun dry_run(Renderer renderer, const DriverRule& rule,
                const properties::RunControl& control = {});
 
+/// Whether a renderer makes any picture of the dry run's scene, in one of the likeliest forms.
+bool makes_a_picture(const Renderer& renderer, const DriverRule& rule);
+
 }  // namespace raycheck::tools

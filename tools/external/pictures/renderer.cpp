@@ -185,12 +185,12 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
         fmt::format("it {}{}", failure->why(), limit_text(process.error_output(), program.limits)),
         said);
   }
-  throw ProcessFailure(
-      FailureKind::kBadReply,
-      renderer.is_told_name()
-          ? fmt::format("it exited with 0, but did not write its picture, {}", kImageFile)
-          : "it exited with 0, but did not write a picture",
-      said);
+  const std::string missing =
+      renderer.is_told_name() ? fmt::format("its picture, {}", kImageFile) : "a picture";
+  throw ProcessFailure(FailureKind::kBadReply,
+                       fmt::format("it exited with 0, but did not write {}{}", missing,
+                                   limit_text(process.error_output(), program.limits)),
+                       said);
 }
 
 }  // namespace
@@ -201,8 +201,12 @@ bool Renderer::is_told_name() const {
   });
 }
 
-std::string driver_text(const scene::Scene& scene, const DriverForm& form) {
-  return driver_text(scene, form, SphereColours(scene.spheres.size()).all());
+std::string driver_text(const scene::Scene& scene, const DriverForm& form,
+                        const ColourHabit& habit) {
+  const std::size_t count = scene.spheres.size();
+  return driver_text(scene, form,
+                     habit.tells_spheres ? SphereColours(count).all()
+                                         : std::vector<Colour>(count, {255, 255, 255}));
 }
 
 properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
@@ -281,8 +285,9 @@ properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& sce
   const PictureSize size = {scene.camera->width, scene.camera->height};
   const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
   if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
-  return image_answer(rendered(renderer, driver_text(scene, renderer.driver), size).picture,
-                      *scene.camera, rows, scene.spheres.size(), renderer.colours);
+  const std::string driver = driver_text(scene, renderer.driver, renderer.colours);
+  return image_answer(rendered(renderer, driver, size).picture, *scene.camera, rows,
+                      scene.spheres.size(), renderer.colours);
 }
 
 }  // namespace raycheck::tools

@@ -49,8 +49,11 @@ struct Renderer {
   bool is_told_name() const;
 };
 
-/// The driver file of a scene, with colours that identify the spheres. Domain: it has a camera.
-std::string driver_text(const scene::Scene& scene, const DriverForm& form);
+/// The driver file of a scene, with colours that identify the spheres if the renderer shows them;
+/// if not, with white spheres: it might draw one in the colour of its background. Domain: the scene
+/// has a camera.
+std::string driver_text(const scene::Scene& scene, const DriverForm& form,
+                        const ColourHabit& habit = {});
 
 /// The sphere that each pixel shows: empty for the background colour; the sphere whose colour the
 /// pixel nearly has; kSomeSphere for every other colour. Errors: properties::OtherSize if the size

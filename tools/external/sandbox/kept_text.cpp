@@ -14,6 +14,16 @@ constexpr std::size_t kKept = 16384;
 constexpr std::size_t kLines = 12;
 constexpr std::size_t kLongestLine = 400;
 
+/// Java reports the options that raycheck gives it (launch.cpp).
+std::string without_notices(std::string text) {
+  constexpr std::string_view kNotice = "Picked up JAVA_TOOL_OPTIONS: ";
+  for (std::size_t at; (at = text.find(kNotice)) != std::string::npos;) {
+    const std::size_t end = text.find('\n', at);
+    text.erase(at, end == std::string::npos ? end : end + 1 - at);
+  }
+  return text;
+}
+
 std::string printable(std::string line) {
   for (char& c : line) {
     if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f') c = '?';
@@ -54,15 +64,17 @@ void KeptText::append(std::string_view more) {
 }
 
 std::string KeptText::text() const {
-  if (dropped_ == 0) return begin_ + end_;
-  return fmt::format("{}\n... {} bytes left out ...\n{}", begin_, dropped_, end_);
+  if (dropped_ == 0) return without_notices(begin_ + end_);
+  return fmt::format("{}\n... {} bytes left out ...\n{}", without_notices(begin_), dropped_,
+                     without_notices(end_));
 }
 
 std::string KeptText::excerpt() const {
-  std::vector<std::string> first = lines_of(dropped_ == 0 ? begin_ + end_ : begin_), last = first;
+  std::vector<std::string> first = lines_of(dropped_ == 0 ? text() : without_notices(begin_));
+  std::vector<std::string> last = first;
   std::size_t count = first.size();
   if (dropped_ != 0) {
-    last = lines_of(end_);
+    last = lines_of(without_notices(end_));
     // The lines around the gap are incomplete.
     first.pop_back();
     last.erase(last.begin());

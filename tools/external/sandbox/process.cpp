@@ -112,7 +112,11 @@ std::string limit_text(const KeptText& error_output, const Limits& limits) {
                    limits.memory >> 20, called(limits.names.memory)),
        {"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory", "out of memory",
         "Out of memory", "could not allocate memory"}},
-      {file_limit_text(limits), {"File too large"}}};
+      {file_limit_text(limits), {"File too large"}},
+      {"it opens a window, and there is no display: it must draw without one, into a file",
+       {"open display", "open X display", "open X11 display", "X11 connection", "$DISPLAY",
+        "DISPLAY environment variable", "connect to display", "X11 window server",
+        "HeadlessException", "No available video device"}}};
   const std::string text = error_output.text();
   for (const auto& [limit, signs] : rows) {
     if (std::ranges::any_of(

@@ -18,11 +18,12 @@
 
 namespace raycheck::tools {
 
-/// Keeps the beginning and the end of a program's output, which may have any length.
+/// Keeps the beginning and the end of a program's output, which may have any length, without the
+/// lines in which Java reports raycheck's own options.
 class KeptText {
  public:
   void append(std::string_view more);
-  bool empty() const { return begin_.empty(); }
+  bool empty() const { return text().empty(); }
   /// The beginning and the end, with a line between them that counts the missing bytes.
   std::string text() const;
   /// Its first and last lines, and the number of lines between them; without terminal control
@@ -42,8 +43,8 @@ std::string_view cut_to(std::string_view text, std::size_t most);
 /// output.
 std::string last_line_text(const KeptText& error_output);
 
-/// The limit that a failed program met, recognised from its output, as a clause; empty if none is
-/// recognised.
+/// The limit that a failed program met, or that it needs a display, recognised from its output, as
+/// a clause; empty if neither is recognised.
 std::string limit_text(const KeptText& error_output, const Limits& limits);
 
 /// A sandboxed process in a private folder, with pipes to its standard streams. When it ends, its

@@ -1,11 +1,11 @@
 #include "tools/grade/intake/building.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <system_error>
 #include <tuple>
@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 /// At most this many programs of a build are tried.
 constexpr std::size_t kMostPrograms = 8;
 
-/// Missing headers are added in at most this many rounds.
-constexpr int kMostRepairs = 3;
+/// What compilers suggest is added in at most this many rounds.
+constexpr int kMostHints = 3;
 
 /// A build without errors that makes nothing to run, such as a Makefile for scripts.
 struct MadeNoProgram : CandidateError {
@@ -85,15 +85,16 @@ std::vector<std::string> made_classes(const fs::path& folder, const std::string&
   return {java_words(root.empty() ? "." : root, {jars.begin(), jars.end()}, main_class)};
 }
 
-/// Builds in one way. Returns the command lines of the programs, the likeliest first.
+/// Builds in one way. Returns the command lines of the programs, the likeliest first; after a
+/// failure, `said` is the compiler's output.
 std::vector<std::string> made_by(const BuildAttempt& attempt, const Intake& intake,
-                                 const fs::path& to) {
+                                 const fs::path& to, std::string& said) {
   if (attempt.words.empty()) {
     fs::copy(intake.sources.folder->path(), to, fs::copy_options::recursive);
     return {attempt.program};
   }
   const bool makes_program = attempt.program == kMade;
-  BuildWords words{attempt.repairs + attempt.words, attempt.shown};
+  BuildWords words{attempt.repairs + attempt.words, attempt.shown, {}, &said};
   if (makes_program) {
     // Programs and libraries, without intermediate files of compilers.
     words.keeps = [is_java = !attempt.main_class.empty()](const fs::path& file) {
@@ -121,17 +122,20 @@ std::string missing_package(const std::string& said) {
                                                                   : said.substr(begin, end - begin);
 }
 
-/// Builds in one way. If the compiler names missing headers, adds them and tries again.
+/// Builds in one way. If the compiler's output has hints, follows them and tries again.
 Built built_by(BuildAttempt attempt, const Intake& intake, const fs::path& to) {
-  for (int repairs = 0;; ++repairs) {
+  const bool takes_options = attempt.words.find(kHintedOptions) != std::string::npos;
+  for (int rounds = 0;; ++rounds) {
+    std::string said;
     try {
-      std::vector<std::string> programs = made_by(attempt, intake, to);
+      std::vector<std::string> programs = made_by(attempt, intake, to, said);
       return {std::move(programs), attempt.words.empty() ? "" : attempt.repairs + attempt.words,
               std::move(attempt.notes), std::move(attempt.what)};
     } catch (const CandidateError& error) {
       empty_folder(to);
-      const auto missing = missing_includes(intake.sources.files, error.output());
-      if (missing.empty() || repairs == kMostRepairs) {
+      std::vector<BuildHint> hints = hints_in(said, intake.sources.files, takes_options);
+      std::erase_if(hints, [&](const auto& one) { return is_one_of(attempt.notes, one.note); });
+      if (hints.empty() || rounds == kMostHints) {
         const std::string package = missing_package(error.output());
         if (package.empty()) throw;
         throw CandidateError(
@@ -139,8 +143,10 @@ Built built_by(BuildAttempt attempt, const Intake& intake, const fs::path& to) {
                         error.why(), package),
             error.output());
       }
-      attempt.repairs += repair_words(missing);
-      for (const IncludeRepair& one : missing) attempt.notes.push_back(one.note());
+      for (const BuildHint& one : hints) {
+        attempt.repairs += one.words;
+        attempt.notes.push_back(one.note);
+      }
     }
   }
 }
@@ -158,17 +164,22 @@ Built auto_built(const Intake& intake, std::size_t way, const fs::path& to) {
   const RunOptions& options = intake.options;
   const std::vector<BuildAttempt> plan = build_plan(intake.sources.files);
   const SpentTime::Time before = options.build_spent->so_far();
-  std::vector<std::string> notes;
-  std::string why, said, failed;
+  std::vector<std::string> failed, empty;  // empty: makes no program
+  std::string why, said;
   for (; way < plan.size(); ++way) {
     if (options.build_spent->seconds_since(before) >= options.build_seconds) break;
     const BuildAttempt& attempt = plan[way];
     try {
       Built made = built_by(attempt, intake, to);
       made.next_way = next_way(plan, way);
-      for (std::string& note : notes) note += "; built from " + attempt.what;
-      std::move(made.notes.begin(), made.notes.end(), std::back_inserter(notes));
-      made.notes = std::move(notes);
+      std::erase(failed, attempt.what);
+      std::erase(empty, attempt.what);
+      std::string earlier;
+      if (!failed.empty()) earlier = fmt::format("{} failed; ", fmt::join(failed, " and "));
+      if (!empty.empty())
+        earlier += fmt::format("{} makes no program; ", fmt::join(empty, " and "));
+      if (!earlier.empty())
+        made.notes.insert(made.notes.begin(), earlier + "built from " + made.what);
       return made;
     } catch (const CandidateError& error) {
       if (why.empty()) {
@@ -179,10 +190,8 @@ Built auto_built(const Intake& intake, std::size_t way, const fs::path& to) {
                             error.output().empty() ? "" : ":\n", error.output());
       }
       const bool made_none = dynamic_cast<const MadeNoProgram*>(&error) != nullptr;
-      if (failed != attempt.what) {
-        notes.push_back(attempt.what + (made_none ? " makes no program" : " failed"));
-      }
-      failed = attempt.what;
+      std::vector<std::string>& known = made_none ? empty : failed;
+      if (!is_one_of(known, attempt.what)) known.push_back(attempt.what);
     }
   }
   throw CandidateError(why, said);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <cctype>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -120,10 +121,9 @@ std::vector<std::string> made_by(const std::string& makefile) {
   return names;
 }
 
-/// The linker options that the sources need: those that their headers and Makefiles name, if this
-/// machine has them.
-std::string libraries_of(const HandedInFiles& files, const std::vector<std::string>& sources) {
-  std::string libraries = "-pthread -lm";
+/// The linker options in the Makefiles of a submission, each if this machine has its library, as
+/// words of a shell.
+std::string libraries_of_makefiles(const HandedInFiles& files) {
   std::set<std::string> linked;
   for (const auto& [name, file] : files) {
     if (boost::to_lower_copy(base_of(name)) != "makefile") continue;
@@ -134,23 +134,55 @@ std::string libraries_of(const HandedInFiles& files, const std::vector<std::stri
         linked.insert(word);
     }
   }
+  std::string libraries;
   for (const std::string& one : linked) {
     libraries += fmt::format(" $(gcc -shared -o /dev/null {0} 2> /dev/null && echo {0})", one);
   }
-  std::set<std::string> headers;
+  return libraries;
+}
+
+/// Options that a header needs, if a header of the system is installed: of the same library, or of
+/// the one that it uses.
+struct HeaderOptions {
+  std::string_view header, installed, options;
+};
+constexpr HeaderOptions kHeaderOptions[] = {{"omp.h", "", "-fopenmp"},
+                                            {"execution", "tbb/tbb.h", "-ltbb"},
+                                            {"CImg.h", "X11/Xlib.h", "-lX11"},
+                                            {"CImg.h", "png.h", "-lpng"},
+                                            {"CImg.h", "jpeglib.h", "-ljpeg"},
+                                            {"FreeImage.h", "FreeImage.h", "-lfreeimage"},
+                                            {"GL/freeglut.h", "GL/glut.h", "-lglut -lGLU -lGL"},
+                                            {"GL/glut.h", "GL/glut.h", "-lglut -lGLU -lGL"},
+                                            {"GL/gl.h", "GL/gl.h", "-lGL"},
+                                            {"X11/Xlib.h", "X11/Xlib.h", "-lX11"},
+                                            {"jpeglib.h", "jpeglib.h", "-ljpeg"},
+                                            {"png.h", "png.h", "-lpng"},
+                                            {"zlib.h", "zlib.h", "-lz"}};
+
+/// The linker options that the sources need; adds a note about those of headers.
+std::string libraries_of(const HandedInFiles& files, const std::vector<std::string>& sources,
+                         std::vector<std::string>& notes) {
+  std::string of_headers;
+  std::set<std::string, std::less<>> headers;
   for (const auto& [name, file] : files) {
     if (!is_c_family(name)) continue;
-    for (const IncludeLine& one : includes_of(file.text)) headers.insert(one.name);
+    for (const IncludeLine& one : includes_of(file.text)) {
+      headers.insert(base_of(one.name) == "CImg.h" ? "CImg.h" : one.name);
+    }
   }
   const bool is_mixed =
       std::ranges::any_of(sources, is_cpp) && !std::ranges::all_of(sources, is_cpp);
-  if (is_mixed) libraries += " -lstdc++";
-  if (headers.contains("omp.h")) libraries += " -fopenmp";
-  if (headers.contains("execution"))
-    libraries += " $(test -e /usr/include/tbb/tbb.h && echo -ltbb)";
-  if (headers.contains("png.h")) libraries += " -lpng";
-  if (headers.contains("zlib.h")) libraries += " -lz";
-  return libraries;
+  for (const auto& [header, installed, options] : kHeaderOptions) {
+    if (!headers.contains(header) || of_headers.find(options) != std::string::npos) continue;
+    if (!std::filesystem::exists(std::filesystem::path("/usr/include") / installed)) continue;
+    of_headers += fmt::format(" {}", options);
+  }
+  if (!of_headers.empty()) {
+    notes.push_back(fmt::format("built with{}, which its headers need", of_headers));
+  }
+  return fmt::format("-pthread -lm{}{}{}", is_mixed ? " -lstdc++" : "", of_headers,
+                     libraries_of_makefiles(files));
 }
 
 std::string names_shown(const std::vector<std::string>& names) {
@@ -158,29 +190,31 @@ std::string names_shown(const std::vector<std::string>& names) {
   return scene::joined(names, " ");
 }
 
-/// Compiles and links with the first C++ standard that works. If none works, shows the errors with
-/// the newest.
-BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
+/// Compiles and links these sources with the first C++ standard that works. If none works, shows
+/// the errors with the newest.
+BuildAttempt compiled(const HandedInFiles& files, const CSources& c, const std::string& what,
                       const std::vector<std::string>& sources) {
   constexpr const char* kProgram = "raycheck-built";
   const bool has_cpp = std::ranges::any_of(sources, is_cpp);
   const bool all_cpp = std::ranges::all_of(sources, is_cpp);
   const std::string compiler = all_cpp ? "g++" : "gcc";
   const std::string first = has_cpp ? "c++20" : "gnu17";
-  const std::string rest = fmt::format("-O2 -w -fmax-errors=20 {} -o {} {} {}", c.flags(), kProgram,
-                                       shell_words(sources), libraries_of(files, sources));
+  std::vector<std::string> notes = c.notes();
+  const std::string rest =
+      fmt::format("-O2 -w -fmax-errors=20 {} {} -o {} {} {}", c.flags(), kHintedOptions, kProgram,
+                  shell_words(sources), libraries_of(files, sources, notes));
   const std::string standards = has_cpp ? first + " gnu++17 gnu++14" : first;
   std::string words = fmt::format(
       "rm -f {0}; for standard in {1}; do {2} -std=$standard {3} 2> raycheck-said-$standard && "
       "break; done; test -e {0} || {{ cat raycheck-said-{4} >&2; false; }}",
       kProgram, standards, compiler, rest, first);
-  return {"its sources",
+  return {what,
           fmt::format("{} -O2 -std={} {}", compiler, first, names_shown(sources)),
           removal_words(files) + repair_words(c.repairs),
           std::move(words),
           std::string(kMade),
           {kProgram},
-          c.notes()};
+          std::move(notes)};
 }
 
 /// A source and the sources that belong to the headers that it includes: "vec.cpp" for "vec.h".
@@ -262,11 +296,10 @@ void plan_c_family(const HandedInFiles& files, std::vector<BuildAttempt>& plan) 
     sources.insert(sources.begin(), main);
     const std::vector<std::string> reached = reached_from(main, files, others);
     const std::size_t first = plan.size();
-    plan.push_back(compiled(files, c, sources));
+    plan.push_back(compiled(files, c, "its sources", sources));
     if (reached.size() < sources.size()) {
-      plan.push_back(compiled(files, c, reached));
+      plan.push_back(compiled(files, c, "the sources that " + main + " includes", reached));
       plan.back().only_after_failure = true;
-      plan.back().notes.push_back("only files whose headers are included are compiled");
     }
     if (count == 1) continue;
     for (std::size_t k = first; k < plan.size(); ++k) {

@@ -28,6 +28,20 @@ constexpr int kMostFurtherBuilds = 2;
 
 constexpr std::size_t kReadOfFile = std::size_t{4} << 20;
 
+/// A renderer's usual command line, and others to try if it makes no picture.
+constexpr std::string_view kCall = "{program} {scene} {image}";
+constexpr std::string_view kOtherCalls[] = {
+    "{program} {image} {scene}",
+    "{program} {scene}",
+    "{program} {scene} -o {image}",
+    "{program} -i {scene} -o {image}",
+    "{program} -input {scene} -output {image} -size {width} {height}",
+    "{program} {scene} {image} {width} {height}",
+    "{program} {scene} {width} {height} {image}",
+    "{program} {width} {height} {scene} {image}",
+    "sh -c '$* {scene} > {image}' - {program}",
+    "sh -c '$* < {scene} > {image}' - {program}"};
+
 [[noreturn]] void refuse(const std::string& why) { throw SubmissionError({why, ""}, {}); }
 
 bool fits(const Form& form, const std::string& name) {
@@ -173,13 +187,17 @@ Confined without_hand_in(Confined program, const std::string& folder) {
   return program;
 }
 
-/// Sets up a renderer with the driver form and colours found by a dry run.
+/// Sets up a renderer with the driver form and colours found by a dry run; if it is called in
+/// another way than the rubric says, only if it makes a picture. Errors: SubmissionError.
 void ask_in_its_form(RunnableSubmission& runnable, const Intake& intake, const fs::path& folder,
-                     const properties::RunControl& control) {
+                     bool is_other_call, const properties::RunControl& control) {
   Renderer renderer = *runnable.external.renderer;
   const StartingFolder& start = *(renderer.program.start = intake.sources.start);
   renderer.wrapper = without_hand_in(renderer.program, folder);
   if (!start.links.empty()) renderer.program.readable.push_back(start.linked->path());
+  if (is_other_call && !makes_a_picture(renderer, intake.rubric.driver)) {
+    throw SubmissionError({}, runnable.found);
+  }
   const DryRun& found =
       runnable.found.dry_run.emplace(dry_run(renderer, intake.rubric.driver, control));
   if (found.refusal) throw SubmissionError(*found.refusal, runnable.found);
@@ -201,13 +219,20 @@ SubmissionError submission_error(const CandidateError& error, Preparation found)
   return {{whose + error.why(), error.output()}, std::move(found)};
 }
 
-/// Starts one of a build's programs, given its command line. Errors: SubmissionError.
+/// Starts one of a build's programs, given its command line, as the rubric says or by another
+/// `call`. Errors: SubmissionError.
 RunnableSubmission started(const Intake& intake, const Build& build, const std::string& by,
-                           const properties::RunControl& control) {
+                           std::string_view call, const properties::RunControl& control) {
   RunnableSubmission runnable{{}, found_by(intake, build), build.is_stored};
   auto& [external, found, is_stored] = runnable;
   CandidateSpec& program = *found.program;
   if (found.built_automatically) boost::replace_all(program.what, "{program}", by);
+  if (!call.empty()) {
+    const std::string usual =
+        std::exchange(program.what, boost::replace_all_copy(std::string(call), "{program}", by));
+    found.notes.push_back(fmt::format(
+        "it makes no picture when it is called as {}; it is called as {}", usual, program.what));
+  }
   if (const std::size_t count = build.made.programs.size(); count > 1) {
     found.notes.push_back(fmt::format("{} programs are built; {} is run", count, by));
   }
@@ -237,7 +262,9 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     external.precision = scene::Precision::kDouble;
     // The program's folder must outlive it; a library keeps its folder itself.
     if (!external.folder) external.folder = build.folder;
-    if (external.renderer) ask_in_its_form(runnable, intake, options.folder, control);
+    if (external.renderer) {
+      ask_in_its_form(runnable, intake, options.folder, !call.empty(), control);
+    }
     return runnable;
   } catch (const CandidateError& error) {
     throw submission_error(error, found);
@@ -267,6 +294,23 @@ SubmissionError as_misnamed(const SubmissionError& error, const Intake& intake) 
   return error;
 }
 
+/// The program of a build that shows spheres in one of kOtherCalls; empty if there is none.
+std::optional<RunnableSubmission> called_otherwise(const Intake& intake, const Build& build,
+                                                   const std::string& by,
+                                                   const properties::RunControl& control) {
+  if (intake.fitting.program.what != kCall) return {};
+  for (const std::string_view call : kOtherCalls) {
+    if (control.interrupted()) break;
+    try {
+      RunnableSubmission runnable = started(intake, build, by, call, control);
+      if (runnable.found.dry_run->shows_a_sphere()) return runnable;
+    } catch (const SubmissionError&) {
+      // The reason of the usual call is given.
+    }
+  }
+  return {};
+}
+
 /// Searches the ways to build the submission and, for each program, the form that it reads.
 RunnableSubmission best_program(const Intake& intake, const properties::RunControl& control) {
   std::optional<RunnableSubmission> best;
@@ -284,12 +328,15 @@ RunnableSubmission best_program(const Intake& intake, const properties::RunContr
     }
     for (const std::string& by : build.made.programs) {
       try {
-        RunnableSubmission runnable = started(intake, build, by, control);
+        RunnableSubmission runnable = started(intake, build, by, "", control);
         const auto& dry = runnable.found.dry_run;
         if (!dry || dry->shows_a_sphere()) return runnable;
         if (!best) best.emplace(std::move(runnable));
       } catch (const SubmissionError& error) {
         take_failure(error);
+        const Progress progress = error.progress();
+        if (progress != Progress::kFailed && progress != Progress::kNoPicture) continue;
+        if (auto other = called_otherwise(intake, build, by, control)) return std::move(*other);
       }
     }
     if (build.made.next_way == 0 || control.interrupted()) break;

@@ -272,37 +272,7 @@ std::optional<std::string> file_called(const HandedInFiles& files, const std::st
 }  // namespace
 
 std::string IncludeRepair::note() const {
-  return line == 0 ? fmt::format("the missing #include {} is added to {}", instead, file)
-                   : fmt::format("#include of {} is replaced by {}", name, instead);
-}
-
-std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said) {
-  constexpr std::string_view kHint = "did you forget to ", kInclude = "#include ";
-  std::set<std::pair<std::string, std::string>> found;
-  std::istringstream lines(said);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t hint = line.find(kHint), begin = line.find(kInclude, hint);
-    const std::size_t end = line.find('>', begin);
-    if (hint == std::string::npos || end == std::string::npos) continue;
-    const std::size_t name = begin + kInclude.size();
-    if (const auto file = file_called(files, line.substr(0, line.find(':')))) {
-      found.emplace(*file, line.substr(name, end + 1 - name));
-    }
-  }
-  if (found.empty()) {
-    // For some names GCC has no hint. Its quotes depend on the language.
-    std::istringstream again(said);
-    for (std::string line; std::getline(again, line);) {
-      const std::size_t member = line.find(" is not a member of ");
-      if (member == std::string::npos || line.find("std", member) == std::string::npos) continue;
-      if (const auto file = file_called(files, line.substr(0, line.find(':')))) {
-        found.emplace(*file, "<bits/stdc++.h>");
-      }
-    }
-  }
-  std::vector<IncludeRepair> repairs;
-  for (const auto& [file, header] : found) repairs.push_back({file, 0, "", header});
-  return repairs;
+  return fmt::format("#include of {} is replaced by {}", name, instead);
 }
 
 std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
@@ -338,12 +308,106 @@ std::string repair_words(const std::vector<IncludeRepair>& repairs) {
     for (const char* const special : {"\\", "&", "|"}) {
       instead = boost::replace_all_copy(instead, special, "\\" + std::string(special));
     }
-    const std::string script = repair.line == 0
-                                   ? "1i#include " + repair.instead
-                                   : fmt::format("{}s|.*|#include {}|", repair.line, instead);
+    const std::string script = fmt::format("{}s|.*|#include {}|", repair.line, instead);
     words += fmt::format("sed -i {} {}; ", single_quoted(script), single_quoted(repair.file));
   }
   return words;
+}
+
+namespace {
+
+/// Headers, and names of theirs for which GCC 12 suggests none.
+struct HeaderNames {
+  std::string_view header, names;
+};
+constexpr HeaderNames kHeaderNames[] = {
+    {"<algorithm>",
+     " all_of any_of clamp copy count count_if fill find find_if for_each lower_bound max "
+     "max_element min min_element none_of nth_element random_shuffle remove remove_if reverse "
+     "shuffle sort stable_sort swap transform unique upper_bound "},
+    {"<cmath>",
+     " M_PI acos asin atan atan2 cbrt ceil cos exp fabs floor fmax fmin fmod hypot isinf isnan log "
+     "pow round sin sqrt tan "},
+    {"<cstdlib>", " abs atof atoi exit rand srand strtod "},
+    {"<iomanip>", " setfill setprecision setw "},
+    {"<limits>", " numeric_limits "},
+    {"<numeric>", " accumulate inner_product iota partial_sum "},
+    {"<random>", " default_random_engine mt19937 uniform_real_distribution "},
+    {"<stdexcept>", " invalid_argument out_of_range runtime_error "}};
+
+/// The text between the last `before` before `after`, and the first `after`; empty if they are not
+/// there.
+std::string between(const std::string& line, std::string_view before, std::string_view after) {
+  const std::size_t end = line.find(after);
+  if (end == std::string::npos) return "";
+  const std::string until = line.substr(0, end);
+  const std::size_t begin = until.rfind(before);
+  return begin == std::string::npos ? "" : until.substr(begin + before.size());
+}
+
+/// The line that a line of GCC's output says is missing from a file; empty if it says nothing.
+std::string missing_line(const std::string& line) {
+  constexpr std::string_view kDefine = "#define ";
+  constexpr std::pair<std::string_view, std::string_view> kUnknown[] = {
+      {"'", "' is not a member of 'std'"},
+      {"'", "' was not declared in this scope"},
+      {"incomplete type 'std::", "<"}};
+  const std::string asked = between(line, "did you forget to '", "'?");
+  if (!asked.empty()) return asked;
+  if (const std::size_t at = line.find(kDefine, line.find("#error")); at != std::string::npos) {
+    return line.substr(at, line.find_first_of(" \"", at + kDefine.size()) - at);
+  }
+  for (const auto& [before, after] : kUnknown) {
+    const std::string name = between(line, before, after);
+    if (name.empty()) continue;
+    for (const auto& [header, names] : kHeaderNames) {
+      if (names.find(" " + name + " ") != std::string_view::npos) {
+        return fmt::format("#include {}", header);
+      }
+    }
+  }
+  return "";
+}
+
+struct OptionHint {
+  std::string_view sign, option, why;
+};
+constexpr OptionHint kOptionHints[] = {
+    {": multiple definition of ", "-fcommon", "several of its files define the same variable"},
+    {"[-fpermissive]", "-fpermissive", "GCC names this option for some of its errors"}};
+
+}  // namespace
+
+std::vector<BuildHint> hints_in(const std::string& said, const HandedInFiles& files,
+                                bool takes_options) {
+  std::set<std::pair<std::string, std::string>> missing;
+  std::optional<std::string> includer;  // of a header that is not the submission's
+  std::string text = said;
+  for (const char* quote : {"\xe2\x80\x98", "\xe2\x80\x99"}) boost::replace_all(text, quote, "'");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_first = line.starts_with("In file included from ");
+    if (is_first || line.starts_with("                 from ")) {
+      if (is_first) includer.reset();
+      if (!includer) includer = file_called(files, between(line, "from ", ":"));
+      continue;
+    }
+    const std::string lacks = missing_line(line);
+    if (lacks.empty()) continue;
+    const auto file = file_called(files, line.substr(0, line.find(':')));
+    if (file || includer) missing.emplace(file ? *file : *includer, lacks);
+  }
+  std::vector<BuildHint> hints;
+  for (const auto& [file, line] : missing) {
+    hints.push_back({fmt::format("sed -i {} {}; ", single_quoted("1i" + line), single_quoted(file)),
+                     fmt::format("the missing {} is added to {}", line, file)});
+  }
+  for (const auto& [sign, option, why] : kOptionHints) {
+    if (!takes_options || said.find(sign) == std::string::npos) continue;
+    hints.push_back({fmt::format("also=\"{} {}\"; ", kHintedOptions, option),
+                     fmt::format("compiled with {}: {}", option, why)});
+  }
+  return hints;
 }
 
 }  // namespace raycheck::tools

@@ -84,10 +84,10 @@ int likelihood_rank(const std::string& path);
 /// Sorts names by likelihood_rank(); of equal ranks, names closer to the top come first.
 void sort_by_likelihood(std::vector<std::string>& names);
 
-/// A repair: replaces an #include of a file that does not exist, or adds a missing #include.
+/// A repair: replaces an #include of a file that does not exist.
 struct IncludeRepair {
   std::string file;
-  int line = 0;         ///< The line of the #include, from 1; 0 if it is missing.
+  int line = 0;         ///< The line of the #include, from 1.
   std::string name;     ///< The name as written: "../eigen/Eigen/Dense".
   std::string instead;  ///< "<Eigen/Dense>", "\"../vec.h\""
   std::string note() const;
@@ -99,11 +99,21 @@ struct IncludeRepair {
 std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
                                            const std::vector<std::string>& include);
 
-/// The missing includes that GCC suggests: "did you forget to '#include <tuple>'?" If it suggests
-/// none for a name of namespace std, all of the standard library.
-std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said);
-
 /// A shell command that applies repairs in a copy of the submission; empty if there are none.
 std::string repair_words(const std::vector<IncludeRepair>& repairs);
+
+/// What a compiler's output suggests to add to a build.
+struct BuildHint {
+  std::string words;  ///< A shell command to run before the build.
+  std::string note;
+};
+
+/// In a command that compiles, the place of the options that hints add.
+inline constexpr std::string_view kHintedOptions = "$also";
+
+/// The hints in the output of GCC: #include lines and macros that a submitted file lacks, and, if
+/// the build takes kHintedOptions, options.
+std::vector<BuildHint> hints_in(const std::string& said, const HandedInFiles& files,
+                                bool takes_options);
 
 }  // namespace raycheck::tools

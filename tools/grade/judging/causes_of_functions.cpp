@@ -54,8 +54,11 @@ const AnswerCause* roundings_of(const std::vector<AnswerCause>& causes) {
   return found == causes.end() ? nullptr : &*found;
 }
 
-double apart(double a, double b) {
-  return a == b || (std::isnan(a) && std::isnan(b)) ? 0 : std::abs(a - b);
+bool are_near(const auto& a, const auto& b, double allowed) {
+  const auto near = [allowed](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y)) || std::abs(x - y) <= allowed;
+  };
+  return near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z);
 }
 
 /// Whether a direction is degenerate: NaN, or 0 if the code guards the division.
@@ -69,9 +72,7 @@ bool are_alike(const scene::Ray& a, const scene::Ray& b) {
   const auto& [Q, E] = b;
   const double size = std::max({std::abs(P.x), std::abs(P.y), std::abs(P.z), 1.0});
   const double allowed = properties::kAnswerTolerances.back();
-  return std::max({apart(P.x, Q.x), apart(P.y, Q.y), apart(P.z, Q.z)}) <= allowed * size &&
-         ((is_none(D) && is_none(E)) ||
-          std::max({apart(D.x, E.x), apart(D.y, E.y), apart(D.z, E.z)}) <= allowed);
+  return are_near(P, Q, allowed * size) && ((is_none(D) && is_none(E)) || are_near(D, E, allowed));
 }
 
 /// Whether a candidate's rays equal those of a mistake, so that nothing else is wrong with them.

@@ -112,12 +112,12 @@ std::string links(const Submissions& members) {
 }
 
 /// The smallest failing case of a mistake, shown and for download.
-std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
+std::string smallest_case(const ItemGrade& item, const Preparation& found) {
   const FailingCase& failing = *item.failing;
   const std::string name = file_name(item.name);
-  const std::string driver = driver_file_text(failing, form);
+  const std::string driver = driver_file_text(failing, found);
   std::string html = "<p>The smallest failing case, from item " + escaped(item.name) + ": ";
-  if (!driver.empty()) html += download(name + form.ending(), driver) + ", ";
+  if (!driver.empty()) html += download(name + found.driver().ending(), driver) + ", ";
   html += download(name + ".toml", scene_text(failing)) + "</p>\n";
   return html + pictures_html(failing, "theirs") + "<p>" + escaped(answer_text(failing)) + "</p>\n";
 }
@@ -138,7 +138,7 @@ std::string mistakes(const ClassGrade& graded) {
   if (all.empty()) return html + "<p>No mistake was identified.</p>\n";
   for (const MistakeStatistics& one : all) {
     const std::string smallest =
-        one.smallest != nullptr ? smallest_case(*one.smallest, one.whose->found.driver()) : "";
+        one.smallest != nullptr ? smallest_case(*one.smallest, one.whose->found) : "";
     html += details(one.sentence,
                     fmt::format("{} of {}", one.students.size(), count_text(judged, "student")),
                     links(one.students) + smallest);

@@ -55,7 +55,7 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
     const std::string name = file_name(item.name);
     const std::string scene = scene_text(*graded.failing);
     const DriverForm form = grade.submission.found.driver();
-    const std::string driver = driver_file_text(*graded.failing, form);
+    const std::string driver = driver_file_text(*graded.failing, grade.submission.found);
     std::string links = "Save the case beside your program: ";
     if (!driver.empty()) {
       links += download(name + form.ending(), driver) + " (driver file), ";

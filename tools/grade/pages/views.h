@@ -119,7 +119,7 @@ std::string unlisted_text(const StudentGrade& grade);
 std::string law_text(const FailingCase& failing);
 /// The failing case as a TOML scene; as a driver file, empty if it has no camera.
 std::string scene_text(const FailingCase& failing);
-std::string driver_file_text(const FailingCase& failing, const DriverForm& form);
+std::string driver_file_text(const FailingCase& failing, const Preparation& found);
 
 /// The total times of the submissions: "built in 3.2 s, 4 from the store, judged in 0.5 s"; empty
 /// if none was run.

@@ -163,9 +163,10 @@ std::string scene_text(const FailingCase& failing) {
                                          : properties::scene_text(failing.the_case);
 }
 
-std::string driver_file_text(const FailingCase& failing, const DriverForm& form) {
+std::string driver_file_text(const FailingCase& failing, const Preparation& found) {
   const scene::Scene& shown = failing.the_case.scene;
-  return shown.camera ? driver_text(shown, form) : "";
+  const ColourHabit colours = found.dry_run ? found.dry_run->colours : ColourHabit{};
+  return shown.camera ? driver_text(shown, found.driver(), colours) : "";
 }
 
 std::string item_text(const StudentGrade& all, std::size_t k) {
@@ -194,7 +195,7 @@ std::string item_text(const StudentGrade& all, std::size_t k) {
         fmt::format("the smallest failing case found, from {}; to repeat it, save it as {}.toml:\n",
                     origin_text(grade.failing->origin), name);
     text += scene_text(*grade.failing);
-    const std::string driver = driver_file_text(*grade.failing, all.submission.found.driver());
+    const std::string driver = driver_file_text(*grade.failing, all.submission.found);
     if (!driver.empty()) {
       text += fmt::format("the same case as a driver file; save it as {}.txt:\n", name) + driver;
     }

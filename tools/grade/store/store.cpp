@@ -88,6 +88,8 @@ class AnswerFile : public AnswerStore {
 
   /// Stores an answer unless all answers would exceed kMostKept bytes.
   void keep(const std::string& request, StoredAnswer answer) override {
+    // Later runs cannot recognise the folders of this one.
+    if (answer.failure) answer.text = without_private_folders(answer.text);
     const std::lock_guard lock(mutex_);
     if (answer.text.size() > kMostKept - bytes_) return;
     bytes_ += answer.text.size();
