@@ -100,6 +100,8 @@ class Pictures {
       picture.image = render(renderer_, picture.scene, picture.rows);
     } catch (const ProcessFailure& failure) {
       fail(failure.what(), failure.kind());
+    } catch (const properties::CannotBeSaid& error) {
+      fail(error.what(), FailureKind::kCannotExpress);
     } catch (const properties::OtherSize& error) {
       fail(error.what(), FailureKind::kBadReply);
       picture.failure->size = error;

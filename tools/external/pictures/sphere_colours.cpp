@@ -38,7 +38,41 @@ std::size_t levels_for(std::size_t count) {
   return levels;
 }
 
+/// Half the brightness of blue, the darkest saturated colour, in JPEG.
+constexpr double kJpegNoise = 0.114 / 2;
+/// A pixel that is at least this bright, compared with the brightest one, shows a sphere; edges of
+/// spheres may spread light to the background next to them, but not so much.
+constexpr double kJpegBright = 0.875;
+
 }  // namespace
+
+void restore_colours(ReadPicture& picture, const Colour& background) {
+  picture.is_lossy = true;
+  const auto brightness = [](const Colour& c) { return std::max({c.red, c.green, c.blue}); };
+  std::uint8_t full = 0;
+  for (const Colour& colour : picture.pixels) full = std::max(full, brightness(colour));
+  const auto is_near = [noise = kJpegNoise * full](const Colour& a, const Colour& b) {
+    return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green),
+                     std::abs(a.blue - b.blue)}) <= noise;
+  };
+  const auto saturated = [full](std::uint8_t channel) {
+    return 2 * channel < full ? std::uint8_t{0} : full;
+  };
+  for (std::uint32_t at = 0; at < picture.pixels.size(); ++at) {
+    Colour& colour = picture.pixels[at];
+    const Colour pure = {saturated(colour.red), saturated(colour.green), saturated(colour.blue)};
+    if (is_near(colour, background)) {
+      colour = background;
+    } else if (is_near(colour, pure)) {
+      colour = pure;
+    } else if (!(background == Colour{}) || brightness(colour) < kJpegBright * full) {
+      picture.unclear.push_back(at);
+      if (2 * brightness(colour) < full) colour = {};
+    } else {
+      colour = {full, full, full};
+    }
+  }
+}
 
 SphereColours::SphereColours(std::size_t count) : levels_(levels_for(count)) {
   const std::size_t levels = levels_;
