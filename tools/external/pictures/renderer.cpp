@@ -224,7 +224,6 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
         picture.width, picture.height);
   }
   const SphereColours colours(spheres);
-  const bool tells_spheres = !picture.is_lossy || spheres <= kMostSaturated;
   properties::ImageAnswer answer(picture.pixels.size());
   std::vector<std::vector<ShownPixel>> shown(spheres);
   for (std::int64_t j = 0; j < camera.height; ++j) {
@@ -239,7 +238,8 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
       }
       if (colour == habit.background) continue;
       answer[at] = properties::kSomeSphere;
-      if (!tells_spheres) continue;
+      const bool is_mixed = std::min({colour.red, colour.green, colour.blue}) > 0;
+      if (picture.is_lossy && (is_mixed || spheres > kMostSaturated)) continue;
       if (const auto sphere = colours.sphere_of(colour, habit))
         shown[*sphere].push_back({at, colour});
     }

@@ -69,7 +69,10 @@ void restore_colours(ReadPicture& picture, const Colour& background) {
       picture.unclear.push_back(at);
       if (2 * brightness(colour) < full) colour = {};
     } else {
-      colour = {full, full, full};
+      const auto not_empty = [](std::uint8_t channel) {
+        return std::max(channel, std::uint8_t{1});
+      };
+      colour = {not_empty(colour.red), not_empty(colour.green), not_empty(colour.blue)};
     }
   }
 }

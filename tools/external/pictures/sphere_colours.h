@@ -27,7 +27,8 @@ struct ColourHabit {
 /// lists the pixels where that fails as unclear. JPEG blurs hues, but keeps every pixel's
 /// brightness, up to noise: a pixel is clear if it is nearer to the background or to a saturated
 /// colour than the darkest sphere is to black or, on a black background, nearly as bright as the
-/// brightest sphere. Pictures of quality 50 and more were tried, with each subsampling of colours.
+/// brightest sphere; if its hue is not near a saturated one, it then has no empty channel. Pictures
+/// of quality 50 and more were tried, with each subsampling of colours.
 void restore_colours(ReadPicture& picture, const Colour& background);
 
 /// A pixel: its index in the image, and its colour.
