@@ -141,7 +141,9 @@ void judge_image(Trial& trial, Verdict& verdict) {
   if (unidentified > 0) {
     verdict.leave_out("pixels whose colour is not that of a sphere are judged only as hit or miss");
   }
-  if (unclear > 0) verdict.leave_out("pixels whose colour JPEG changed too much to be judged");
+  if (unclear > 0)
+    verdict.leave_out(
+        "pixels whose colour is unclear, because a JPEG does not keep colours exactly");
 }
 
 constexpr Law kNearestSphereLawTable[] = {

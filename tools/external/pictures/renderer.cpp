@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "properties/failures.h"
+#include "properties/mistakes/shown_picture.h"
 #include "tools/external/pictures/other_formats.h"
 #include "tools/external/sandbox/file_tree.h"
 
@@ -289,15 +290,53 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
   }
 }
 
+namespace {
+
+/// JPEG may lose parts of a picture that are narrower or lower than this many pixels.
+constexpr std::int64_t kWide = 3;
+
+/// Makes wrong pixels unclear that are in no square of kWide x kWide pixels of the same sphere, or
+/// of the background, in the exact image.
+void doubt_narrow_parts(const properties::ImageAnswer& exact, std::int64_t width,
+                        properties::ImageAnswer& answer) {
+  const std::int64_t height = std::ssize(exact) / width;
+  std::vector<bool> is_wide(exact.size());
+  const auto all_of_square = [&](std::int64_t first, const auto& is) {
+    for (std::int64_t k = 0; k < kWide * kWide; ++k) {
+      if (!is(static_cast<std::size_t>(first + k / kWide * width + k % kWide))) return false;
+    }
+    return true;
+  };
+  for (std::int64_t y = 0; y + kWide <= height; ++y) {
+    for (std::int64_t x = 0; x + kWide <= width; ++x) {
+      const std::int64_t first = y * width + x;
+      const auto& shown = exact[static_cast<std::size_t>(first)];
+      if (!all_of_square(first, [&](std::size_t k) { return exact[k] == shown; })) continue;
+      all_of_square(first, [&](std::size_t k) { return is_wide[k] = true; });
+    }
+  }
+  for (std::size_t k = 0; k < answer.size(); ++k) {
+    const bool is_as = answer[k] == exact[k] || (answer[k] == properties::kSomeSphere && exact[k]);
+    if (!is_as && !is_wide[k]) answer[k] = properties::kUnclear;
+  }
+}
+
+}  // namespace
+
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
-                               scene::Rows rows) {
+                               const scene::Conventions& conventions) {
   const PictureSize size = {scene.camera->width, scene.camera->height};
   if (renderer.driver.format != nullptr) {
     const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
     if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
   }
-  return image_answer(rendered(renderer, driver_text(scene, renderer.driver), size).picture,
-                      *scene.camera, rows, scene.spheres.size(), renderer.colours);
+  const ReadPicture picture = rendered(renderer, driver_text(scene, renderer.driver), size).picture;
+  properties::ImageAnswer answer = image_answer(picture, *scene.camera, conventions.rows,
+                                                scene.spheres.size(), renderer.colours);
+  if (picture.is_lossy) {
+    doubt_narrow_parts(properties::exact_image(scene, conventions), size.width, answer);
+  }
+  return answer;
 }
 
 }  // namespace raycheck::tools

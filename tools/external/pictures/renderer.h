@@ -75,8 +75,9 @@ struct MadePicture {
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
                      int nth = 1);
 
-/// Draws a scene and returns the sphere of each pixel. Errors: as rendered() and image_answer().
+/// Draws a scene and returns the sphere of each pixel, by the conventions that the renderer is
+/// judged by. Errors: as rendered() and image_answer().
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
-                               scene::Rows rows);
+                               const scene::Conventions& conventions);
 
 }  // namespace raycheck::tools

@@ -41,15 +41,18 @@ std::size_t levels_for(std::size_t count) {
 /// Half the brightness of blue, the darkest saturated colour, in JPEG.
 constexpr double kJpegNoise = 0.114 / 2;
 /// A pixel that is at least this bright, compared with the brightest one, shows a sphere; edges of
-/// spheres may spread light to the background next to them, but not so much.
+/// spheres may spread light to the background next to them, but less.
 constexpr double kJpegBright = 0.875;
+/// The brightest pixel counts as this bright at least, because it may be the rest of a small
+/// sphere.
+constexpr std::uint8_t kJpegFull = 200;
 
 }  // namespace
 
 void restore_colours(ReadPicture& picture, const Colour& background) {
   picture.is_lossy = true;
   const auto brightness = [](const Colour& c) { return std::max({c.red, c.green, c.blue}); };
-  std::uint8_t full = 0;
+  std::uint8_t full = kJpegFull;
   for (const Colour& colour : picture.pixels) full = std::max(full, brightness(colour));
   const auto is_near = [noise = kJpegNoise * full](const Colour& a, const Colour& b) {
     return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green),
