@@ -21,12 +21,14 @@ def pfm(lines):
     return b"PF\n%d %d\n-1.0\n" % (len(lines[0]), len(lines)) + rows
 
 
-def hdr(lines):
+def hdr(lines, *options):
+    """With an option: the last row first."""
     def rgbe(pixel):
         _, exponent = math.frexp(max(pixel) / 255)
         return bytes([*(int(c / 255 * 256 / 2**exponent) for c in pixel), exponent + 128]) if any(pixel) else bytes(4)
-    rows = b"".join(rgbe(pixel) for line in lines for pixel in line)
-    return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (len(lines), len(lines[0])) + rows
+    rows = b"".join(rgbe(pixel) for line in (lines[::-1] if options else lines) for pixel in line)
+    order = b"%sY %d +X %d\n" % (b"+" if options else b"-", len(lines), len(lines[0]))
+    return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + order + rows
 
 
 def exr(lines):

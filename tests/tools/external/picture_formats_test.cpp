@@ -13,23 +13,12 @@ std::string writing(const std::string& format, const std::string& mistake) {
   return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} out." + format;
 }
 
-/// Whether ImageMagick is installed here with all formats that are read by it.
-bool has_imagemagick() {
-  static const std::string folder = temporary_folder("imagemagick");
-  static const bool has = std::system(("cd " + folder +
-                                       " && convert -size 1x1 xc:red o.exr && "
-                                       "convert o.exr o.hdr >" +
-                                       folder + "/out 2>&1")
-                                          .c_str()) == 0;
-  return has;
-}
-
 std::string reasons_left_out(const json& report) { return report["left_out"].dump(); }
 
 TEST(PictureFormats, are_read_pixel_by_pixel) {
   const json ppm = judged(kProbeScene, writing("ppm", "centres"));
   EXPECT_GT(ppm["discrepancies"], 0);
-  for (const char* format : {"pfm", "bmp", "tga", "hdr", "exr"}) {
+  for (const char* format : {"pfm", "bmp", "tga", "hdr", "hdr bottom-first", "exr"}) {
     if (format != std::string("pfm") && !has_imagemagick()) continue;
     const json right = judged(kProbeScene, writing(format, "right"));
     EXPECT_EQ(right["discrepancies"], 0) << format;

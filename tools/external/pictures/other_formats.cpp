@@ -76,12 +76,15 @@ class ImageMagick {
 
   ReadPicture read(const std::string& bytes, const PictureSize& size) {
     if (program().empty()) refuse();
+    // ImageMagick ignores the order of an HDR's rows.
+    is_bottom_first_ =
+        format_.is_linear && bytes.substr(0, kMostHeader).find("\n\n+Y ") != std::string::npos;
     std::string why;
     if (auto picture = converted({}, {{kGiven, bytes}}, size, why)) return *std::move(picture);
     // The picture is at fault only if a picture that ImageMagick itself writes is read.
     const std::string sample = fmt::format("{}:{}", format_.name, kGiven);
     if (std::string ignored;
-        !converted({"-size", "1x1", "xc:red", "-write", sample, "+delete"}, {}, {1, 1}, ignored)) {
+        !converted({"-size", "8x8", "xc:#f00", "-write", sample, "+delete"}, {}, {8, 8}, ignored)) {
       refuse();
     }
     throw PictureError(fmt::format("its {} cannot be read: {}", format_.name, why));
@@ -119,6 +122,7 @@ class ImageMagick {
     add(first);
     add({fmt::format("{}:{}", format_.name, kGiven), "-auto-orient", "-strip", "-alpha", "off"});
     if (format_.is_linear) add({"-set", "colorspace", "sRGB"});
+    if (is_bottom_first_) add({"-flip"});
     add({"-depth", "8", fmt::format("ppm:{}", kConverted)});
     Process process(run);
     const int code = process.finish();
@@ -138,6 +142,7 @@ class ImageMagick {
 
   const OtherFormat& format_;
   Confined confined_;
+  bool is_bottom_first_ = false;
 };
 
 }  // namespace
