@@ -73,9 +73,10 @@ struct SeenAnswer {
 };
 
 /// The sphere that each pixel of an image shows, row after row: its index, kSomeSphere if the index
-/// is unknown, or empty if the pixel shows no sphere.
+/// is unknown, kUnclear if it may also show no sphere, or empty if it shows no sphere.
 using ImageAnswer = std::vector<std::optional<std::size_t>>;
 inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t kUnclear = kSomeSphere - 1;
 
 /// The relative change of a scene that a renderer's image may show without a defect: the scene's
 /// text and the renderer's `float`s or thresholds may lose this much precision.

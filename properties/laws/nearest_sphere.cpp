@@ -125,18 +125,25 @@ void judge_image(Trial& trial, Verdict& verdict) {
     throw CandidateFailed("image() returned too few or too many pixels");
   }
   const SpheresMet met = spheres_met(trial);
-  std::size_t unidentified = 0;
+  std::size_t unidentified = 0, unclear = 0;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (met.is_unjudged[k]) continue;
     const Pixel& pixel = trial.pixels()[k];
     const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
                         trial.exact_nearest()[k], "in the picture"};
+    if (choice.got == kUnclear) {
+      ++unclear;
+      continue;
+    }
     unidentified += choice.got == kSomeSphere && choice.exact ? 1 : 0;
     judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
   }
   if (unidentified > 0) {
     verdict.leave_out("pixels whose colour is not that of a sphere are judged only as hit or miss");
   }
+  if (unclear > 0)
+    verdict.leave_out(
+        "pixels whose colour is unclear, because a JPEG does not keep colours exactly");
 }
 
 constexpr Law kNearestSphereLawTable[] = {

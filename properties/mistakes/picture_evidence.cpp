@@ -74,13 +74,14 @@ void add_parts(const std::vector<Pixel>& pixels, std::vector<std::vector<Pixel>>
   }
 }
 
-/// For each sphere, whether an image shows it somewhere; kSomeSphere counts as the sphere expected
-/// at that pixel.
+/// For each sphere, whether an image shows it somewhere; kSomeSphere and kUnclear count as the
+/// sphere expected at that pixel.
 std::vector<bool> shown_of(std::size_t spheres, const ImageAnswer& image,
                            const ImageAnswer& expected) {
   std::vector<bool> shown(spheres);
   for (std::size_t k = 0; k < image.size(); ++k) {
-    const auto& sphere = image[k] == kSomeSphere ? expected[k] : image[k];
+    const bool is_known = image[k] != kSomeSphere && image[k] != kUnclear;
+    const auto& sphere = is_known ? image[k] : expected[k];
     if (sphere && *sphere < spheres) shown[*sphere] = true;
   }
   return shown;
@@ -89,7 +90,7 @@ std::vector<bool> shown_of(std::size_t spheres, const ImageAnswer& image,
 }  // namespace
 
 bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::size_t>& expected) {
-  return shown == expected || (shown == kSomeSphere && expected);
+  return shown == expected || shown == kUnclear || (shown == kSomeSphere && expected);
 }
 
 std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected) {

@@ -10,7 +10,7 @@ namespace raycheck::properties {
 ImageAnswer exact_image(const Scene& scene, const Conventions& conventions);
 
 /// A renderer's picture of a scene with a camera, under the conventions of that scene: one answer
-/// for every pixel, which may be kSomeSphere.
+/// for every pixel, which may be kSomeSphere or kUnclear.
 struct ShownPicture {
   Scene scene;
   ImageAnswer image;

@@ -1,6 +1,6 @@
-"""A finished renderer: rt.py MISTAKE DRIVER IMAGE. It reads a driver file of dialect B (C and A
-for some MISTAKEs) and writes a
-PPM (P3), the top line first, with ambient light only. MISTAKE selects a mistake."""
+"""A finished renderer: rt.py MISTAKE DRIVER IMAGE [OPTIONS]. It reads a driver file of dialect B (C
+and A for some MISTAKEs) and writes a PPM (P3) or what written.py writes, by the ending of IMAGE, with
+ambient light only. MISTAKE selects a mistake; OPTIONS are of the format."""
 import math
 import os
 import struct
@@ -9,8 +9,9 @@ import time
 import zlib
 
 import right
+import written
 
-MISTAKE, DRIVER, IMAGE = sys.argv[1:4]
+MISTAKE, DRIVER, IMAGE, *OPTIONS = sys.argv[1:]
 
 
 def numbers(words):
@@ -61,8 +62,8 @@ def main():
     camera = right.rc.Camera(eye, look, up, near, left, right_, bottom, top, width, height)
     if MISTAKE == "near-root-only":
         Asked.root = "smaller"
-    if MISTAKE == "corners":
-        Asked.samples = "corners"
+    if MISTAKE in ("corners", "centres"):
+        Asked.samples = MISTAKE
     ray = right.focal_ray if MISTAKE == "from-eye" else right.pixel_ray
     lines = [[nearest(ray(camera, Asked, (i, height - 1 - line)), spheres)
               for i in range(width)] for line in range(height)]
@@ -96,11 +97,14 @@ def main():
         return
     if MISTAKE == "half":
         lines = [lines[0]] + [[] for _ in lines[1:]]
+    lines = [[tuple(min(255, math.floor(255 * c + 0.5)) for c in colour) for colour in line] for line in lines]
+    if not IMAGE.endswith(".ppm"):
+        written.write(lines, IMAGE, *OPTIONS)
+        return
     with open(IMAGE, "w") as image:
         image.write(f"P3\n{len(lines[0])} {len(lines)}\n255\n")
         for line in lines:
-            image.write(" ".join(str(min(255, math.floor(255 * c + 0.5)))
-                                 for colour in line for c in colour) + "\n")
+            image.write(" ".join(str(c) for colour in line for c in colour) + "\n")
 
 
 main()

@@ -208,6 +208,13 @@ std::string temporary_folder(const std::string& name) {
   return path;
 }
 
+bool has_imagemagick() {
+  static const bool has = run_bash("cd " + temporary_folder("imagemagick") +
+                                   " && convert -size 8x8 xc:red o.exr && convert o.exr o.hdr")
+                              .exit_code == 0;
+  return has;
+}
+
 std::vector<std::string> names_in(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());

@@ -55,6 +55,8 @@ bool eventually(const std::function<bool()>& holds);
 
 /// Whether this program is installed. If not, tests with it are skipped.
 bool is_installed(const std::string& program);
+/// Whether ImageMagick is installed, with all formats that raycheck reads by it.
+bool has_imagemagick();
 
 /// Starts raycheck, sends SIGINT as soon as `when` is true, and waits for the end.
 Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when);

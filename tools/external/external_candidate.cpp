@@ -45,8 +45,9 @@ class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
 
-  properties::ImageAnswer of(const scene::Scene& scene, scene::Rows rows, const LastFailure& last) {
-    const std::shared_ptr<Picture> picture = kept(scene, rows);
+  properties::ImageAnswer of(const scene::Scene& scene, const scene::Conventions& conventions,
+                             const LastFailure& last) {
+    const std::shared_ptr<Picture> picture = kept(scene, conventions);
     std::call_once(picture->drawn, [&] { draw(*picture); });
     if (picture->failure) picture->failure->raise(last);
     return picture->image;
@@ -55,7 +56,7 @@ class Pictures {
  private:
   struct Picture {
     scene::Scene scene;
-    scene::Rows rows;
+    scene::Conventions conventions;
     std::once_flag drawn = {};
     properties::ImageAnswer image = {};
     std::optional<AnswerFailure> failure = {};
@@ -67,12 +68,13 @@ class Pictures {
   static constexpr std::int64_t kKeptPixels = std::int64_t{1} << 22;
 
   /// The entry for a scene, made if it does not exist, and moved to the end.
-  std::shared_ptr<Picture> kept(const scene::Scene& scene, scene::Rows rows) {
+  std::shared_ptr<Picture> kept(const scene::Scene& scene, const scene::Conventions& conventions) {
     const std::lock_guard lock(mutex_);
-    auto found = std::ranges::find_if(
-        kept_, [&](const auto& one) { return one->rows == rows && one->scene == scene; });
+    auto found = std::ranges::find_if(kept_, [&](const auto& one) {
+      return one->conventions == conventions && one->scene == scene;
+    });
     if (found == kept_.end()) {
-      kept_.push_back(std::shared_ptr<Picture>(new Picture{scene, rows}));
+      kept_.push_back(std::shared_ptr<Picture>(new Picture{scene, conventions}));
       found = std::prev(kept_.end());
     }
     std::rotate(found, std::next(found), kept_.end());
@@ -97,9 +99,11 @@ class Pictures {
       return;
     }
     try {
-      picture.image = render(renderer_, picture.scene, picture.rows);
+      picture.image = render(renderer_, picture.scene, picture.conventions);
     } catch (const ProcessFailure& failure) {
       fail(failure.what(), failure.kind());
+    } catch (const properties::CannotBeSaid& error) {
+      fail(error.what(), FailureKind::kCannotExpress);
     } catch (const properties::OtherSize& error) {
       fail(error.what(), FailureKind::kBadReply);
       picture.failure->size = error;
@@ -310,7 +314,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   if (external.renderer->origin) candidate.declared.origin = external.renderer->origin;
   candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
                                                          const scene::Conventions& conventions) {
-    return properties::asked_by_us([&] { return pictures->of(scene, conventions.rows, last); });
+    return properties::asked_by_us([&] { return pictures->of(scene, conventions, last); });
   };
   return judged_in(external.precision, std::move(candidate));
 }

@@ -126,13 +126,6 @@ std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
-bool is_on_path(const std::string& program) {
-  return std::ranges::any_of(kProgramFolders, [&](const char* folder) {
-    std::error_code error;
-    return fs::is_regular_file(fs::path(folder) / program, error);
-  });
-}
-
 /// Lets a program read a folder, or a file's folder; never / or the folder for temporary files.
 void let_read(const fs::path& path, Confined& program) {
   const fs::path folder = ReadableCopies::folder_of(path);

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <csetjmp>
 #include <exception>
@@ -136,17 +137,20 @@ void require_size(std::int64_t width, std::int64_t height, std::int64_t most) {
   }
 }
 
-/// The words of a PPM. A comment goes from # to the end of its line.
-class PpmWords {
+/// The words of a PPM or PFM. A comment goes from # to the end of its line.
+class PictureWords {
  public:
-  explicit PpmWords(std::string_view text) : rest_(text) {}
+  PictureWords(const char* format, std::string_view text) : format_(format), rest_(text) {}
 
-  std::int64_t number() {
+  template <class Number = std::int64_t>
+  Number number() {
     skip();
-    std::int64_t value = 0;
+    Number value = 0;
     const auto [at, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc())
-      throw PictureError("its PPM has a word that is not a number, or ends too early");
+    if (error != std::errc()) {
+      throw PictureError(
+          fmt::format("its {} has a word that is not a number, or ends too early", format_));
+    }
     rest_.remove_prefix(static_cast<std::size_t>(at - rest_.data()));
     return value;
   }
@@ -162,13 +166,14 @@ class PpmWords {
     }
   }
 
+  const char* format_;
   std::string_view rest_;
 };
 
 ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
                      const std::optional<PictureSize>& wanted) {
   const bool is_text = bytes[1] == '3';
-  PpmWords words(bytes.substr(2));
+  PictureWords words("PPM", bytes.substr(2));
   ReadPicture picture;
   picture.width = words.number();
   picture.height = words.number();
@@ -209,6 +214,43 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
   return picture;
 }
 
+/// The rows of a PFM are stored from the bottom to the top. The sign of its scale is the order of
+/// the bytes; programs disagree about what the absolute value means, which is ignored.
+ReadPicture read_pfm(std::string_view bytes, std::int64_t most,
+                     const std::optional<PictureSize>& wanted) {
+  const std::size_t channels = bytes[1] == 'F' ? 3 : 1;
+  PictureWords words("PFM", bytes.substr(2));
+  ReadPicture picture;
+  picture.width = words.number();
+  picture.height = words.number();
+  require_size(picture.width, picture.height, most);
+  if (wanted && !picture.has_size(*wanted)) return picture;
+  const bool is_little = words.number<double>() < 0;
+  const auto row = static_cast<std::size_t>(picture.width) * channels * sizeof(float);
+  const std::string_view rest = words.bytes();
+  if (rest.size() / row < static_cast<std::size_t>(picture.height)) {
+    throw PictureError("its PFM lacks pixels");
+  }
+  const auto channel = [&](std::string_view at) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < sizeof(word); ++k) {
+      word = 256 * word + static_cast<unsigned char>(at[is_little ? sizeof(word) - 1 - k : k]);
+    }
+    const auto value = std::bit_cast<float>(word);
+    return static_cast<std::uint8_t>(255 * (value > 0 ? std::min(value, 1.0F) : 0) + 0.5F);
+  };
+  for (std::int64_t line = picture.height - 1; line >= 0; --line) {
+    for (std::size_t at = static_cast<std::size_t>(line) * row, end = at + row; at < end;
+         at += channels * sizeof(float)) {
+      const auto part = [&](std::size_t k) {
+        return channel(rest.substr(at + k % channels * sizeof(float)));
+      };
+      picture.pixels.push_back({part(0), part(1), part(2)});
+    }
+  }
+  return picture;
+}
+
 ReadPicture read_png(std::string_view bytes, std::int64_t most,
                      const std::optional<PictureSize>& wanted) {
   png_image image{};
@@ -241,9 +283,11 @@ ReadPicture read_png(std::string_view bytes, std::int64_t most,
 ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
                           const std::optional<PictureSize>& wanted) {
   if (bytes.starts_with("P3") || bytes.starts_with("P6")) return read_ppm(bytes, most, wanted);
+  if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return read_pfm(bytes, most, wanted);
   if (bytes.starts_with("\x89PNG")) return read_png(bytes, most, wanted);
   throw PictureError(bytes.empty() ? "its picture is empty"
-                                   : "its picture is neither a PPM (P3 or P6) nor a PNG");
+                                   : "its picture is not a PPM (P3, P6), PNG, PFM, BMP, TGA, JPEG, "
+                                     "HDR or EXR");
 }
 
 }  // namespace raycheck::tools

@@ -61,6 +61,9 @@ struct PictureSize {
 struct ReadPicture {
   std::int64_t width = 0, height = 0;
   std::vector<Colour> pixels;  ///< Empty if only the header was wanted.
+  bool is_lossy = false;       ///< Whether it was a JPEG.
+  /// The pixels of a lossy picture that may have had another colour, in ascending order.
+  std::vector<std::uint32_t> unclear = {};
   bool has_size(const PictureSize& size) const {
     return width == size.width && height == size.height;
   }
@@ -72,9 +75,9 @@ class PictureError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a PPM (P3 or P6, with comments; channels are scaled from any maximum to 255) or a PNG. A
-/// picture of more than `most` pixels is an error. If `wanted` is given and the picture has another
-/// size, only its header is read.
+/// Reads a PPM (P3 or P6, with comments; channels are scaled from any maximum to 255), a PNG or a
+/// PFM (grey or in colour; channels are clamped to [0, 1]). A picture of more than `most` pixels is
+/// an error. If `wanted` is given and the picture has another size, only its header is read.
 ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
                           const std::optional<PictureSize>& wanted = {});
 

@@ -8,6 +8,9 @@ namespace raycheck::tests {
 inline const std::string kUnkept =
     std::string(" --sandbox none") + (geteuid() == 0 ? " --i-know" : "");
 
+/// In this scene each of the mistakes that raycheck looks for gives a different picture.
+inline const std::string kProbeScene = "scene/examples/probe.toml";
+
 /// The JSON report of `check` for a candidate on a scene.
 inline Outcome check(const std::string& scene, const std::string& candidate,
                      const std::string& more = "") {

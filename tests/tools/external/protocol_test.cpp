@@ -1,5 +1,7 @@
 #include "tools/external/protocol/protocol.h"
 
+#include <algorithm>
+
 #include "tests/testing.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/launch.h"
@@ -160,8 +162,20 @@ TEST(PictureReader, ReadsPpmsWithCommentsAndOtherMaxima) {
   EXPECT_EQ(parse_picture("P6\r\n1 1\r\n255\r\nabc", 100).pixels, binary.pixels);
 }
 
+TEST(PictureReader, ReadsPfmsOfBothByteOrdersFromTheBottom) {
+  // Below 1 and -2, above 0.5 and NaN.
+  const std::string big("\x3f\x80\0\0\xc0\0\0\0\x3f\0\0\0\x7f\xc0\0\0", 16);
+  std::string little = big;
+  for (std::size_t k = 0; k < little.size(); k += 4) std::reverse(&little[k], &little[k] + 4);
+  const auto grey = parse_picture("Pf\n2 2\n1.0\n" + big, 100);
+  EXPECT_EQ(grey.pixels, (std::vector<Colour>{{128, 128, 128}, {}, {255, 255, 255}, {}}));
+  EXPECT_EQ(parse_picture("Pf\n2 2\n-1\n" + little, 100).pixels, grey.pixels);
+  const auto colour = parse_picture("PF 1 1 -3\n" + little, 100);
+  EXPECT_EQ(colour.pixels, (std::vector<Colour>{{255, 0, 128}}));
+}
+
 TEST(PictureReader, ReadsOnlyTheHeaderIfTheSizeIsWrong) {
-  for (const char* bytes : {"P3\n9 7\n", "P6\n9 7\n255\nabc"}) {
+  for (const char* bytes : {"P3\n9 7\n", "P6\n9 7\n255\nabc", "PF\n9 7\n-1\nabc"}) {
     const auto other = parse_picture(bytes, 100, PictureSize{7, 9});
     EXPECT_TRUE(other.has_size({9, 7})) << bytes;
     EXPECT_TRUE(other.pixels.empty()) << bytes;
@@ -170,9 +184,10 @@ TEST(PictureReader, ReadsOnlyTheHeaderIfTheSizeIsWrong) {
 }
 
 TEST(PictureReader, RefusesInvalidPictures) {
-  for (const char* bytes : {"", "P5\n1 1\n255\na", "P3\n2 2\n255\n1 2 3\n", "P6\n2 2\n255\nabc",
-                            "P3\n0 1\n255\n", "P3\n1000 1000\n255\n", "P3\n1 1\n0\n1 1 1",
-                            "P3\n1 1\n9\n1 1 10", "\x89PNG nonsense", "P3"}) {
+  for (const char* bytes :
+       {"", "P5\n1 1\n255\na", "P3\n2 2\n255\n1 2 3\n", "P6\n2 2\n255\nabc", "P3\n0 1\n255\n",
+        "P3\n1000 1000\n255\n", "P3\n1 1\n0\n1 1 1", "P3\n1 1\n9\n1 1 10", "\x89PNG nonsense", "P3",
+        "PF\n1 1\n-1\n0123", "Pf", "Pf\n1 1\nx\n0123", "Pf\n1000 1000\n1\n0123", "BM nonsense"}) {
     EXPECT_THROW(parse_picture(bytes, 100), PictureError) << bytes;
   }
 }

@@ -5,8 +5,6 @@
 namespace raycheck::tests {
 namespace {
 
-const std::string kProbeScene = "scene/examples/probe.toml";
-
 std::string renderer(const std::string& mistake) {
   return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}";
 }

@@ -141,5 +141,38 @@ TEST_F(Pictures, are_omitted_if_withheld) {
   }
 }
 
+TEST_F(Pictures, are_read_by_imagemagick_or_the_submission_is_not_graded) {
+  const std::string rubric =
+      grading.write("formats.toml", R"(title = "Formats"
+[conventions]
+origin = "pixel"
+[driver]
+preset = "B"
+[[form]]
+has = "rt.py"
+candidate = "renderer:python3 {file} right {scene} out.)" +
+                                        std::string(has_imagemagick() ? "jpg" : "bmp") +
+                                        R"("
+[[item]]
+name = "seen"
+points = 4
+[item.pictures]
+sources = ["course"]
+cases = 4
+)");
+  std::string folder;
+  for (const std::string file : {"rt.py", "right.py", "written.py"}) {
+    folder =
+        grading.hand_in("mine", file, contents(RAYCHECK_SOURCE_DIR "/tests/candidates/" + file));
+  }
+  const Outcome graded = grading.grade(rubric, {folder}, "out", "", has_imagemagick() ? 0 : 4);
+  expect_parts(graded.out,
+               has_imagemagick()
+                   ? std::vector<std::string>{"4 of 4", "it writes a JPEG"}
+                   : std::vector<std::string>{"for a reason outside the submission: ",
+                                              "BMP, which raycheck reads by ImageMagick: "
+                                              "install the Debian package imagemagick"});
+}
+
 }  // namespace
 }  // namespace raycheck::tests

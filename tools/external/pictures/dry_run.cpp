@@ -71,6 +71,12 @@ class DryRunner {
       found.notes.push_back(
           fmt::format("it writes {} and ignores the given file name", chosen.made->other_name));
     }
+    if (chosen.made->picture.is_lossy) {
+      found.notes.emplace_back(
+          "it writes a JPEG, which does not keep colours exactly: pixels whose colour is unclear, "
+          "at "
+          "edges of spheres, are not judged");
+    }
     if (!chosen.made->ended.empty()) {
       found.notes.push_back(
           fmt::format("it makes its picture, but then it {}", chosen.made->ended));

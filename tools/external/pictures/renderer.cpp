@@ -14,6 +14,8 @@
 #include <tuple>
 
 #include "properties/failures.h"
+#include "properties/mistakes/shown_picture.h"
+#include "tools/external/pictures/other_formats.h"
 #include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
@@ -56,11 +58,6 @@ class ComputedFor {
 constexpr std::array<std::string_view, 7> kStems = {"scene", "scene.txt", "out",   "output",
                                                     "image", "picture",   "result"};
 
-bool is_picture(const fs::path& path) {
-  const std::string ending = boost::to_lower_copy(path.extension().string());
-  return ending == ".ppm" || ending == ".pnm" || ending == ".png";
-}
-
 /// A picture that a program made, and whether it has the requested name.
 struct FoundPicture {
   std::filesystem::path path;
@@ -68,8 +65,8 @@ struct FoundPicture {
 };
 
 /// The picture in a program's folder, which contained no pictures before: the file with the
-/// requested name; if there is none, one with a stem in kStems; otherwise the newest. Only PPM and
-/// PNG files count, and no links. Empty if there is no picture.
+/// requested name; if there is none, one with a stem in kStems; otherwise the newest. Only names of
+/// pictures count, and no links. Empty if there is no picture.
 std::optional<FoundPicture> found_picture(const fs::path& folder) {
   const fs::path named = folder / kImageFile;
   if (fs::exists(fs::symlink_status(named))) return FoundPicture{named, true};
@@ -85,7 +82,10 @@ std::optional<FoundPicture> found_picture(const fs::path& folder) {
                                          error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code gone;
-    if (!fs::is_regular_file(entry->symlink_status(gone)) || !is_picture(entry->path())) continue;
+    if (!fs::is_regular_file(entry->symlink_status(gone)) ||
+        !is_picture_name(entry->path().string())) {
+      continue;
+    }
     const auto* const stem =
         std::ranges::find(kStems, boost::to_lower_copy(entry->path().stem().string()));
     pictures.push_back({stem - kStems.begin(), entry->last_write_time(gone), entry->path()});
@@ -99,18 +99,23 @@ std::optional<FoundPicture> found_picture(const fs::path& folder) {
 
 /// Serialises a picture for the answer store, and reads it back.
 std::string stored_text(const MadePicture& made) {
-  const auto& [width, height, pixels] = made.picture;
-  std::string text = fmt::format("{} {} {} {} {}\n", width, height, pixels.size(),
-                                 made.other_name.size(), made.ended.size());
-  text += made.other_name + made.ended;
-  return text.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(Colour));
+  const auto& [width, height, pixels, is_lossy, unclear] = made.picture;
+  std::string text =
+      fmt::format("{} {} {} {} {} {} {}\n", width, height, is_lossy ? 1 : 0, made.other_name.size(),
+                  made.ended.size(), pixels.size(), unclear.size());
+  const auto add = [&](const auto& from) {
+    text.append(reinterpret_cast<const char*>(from.data()), from.size() * sizeof(from[0]));
+  };
+  add(made.other_name), add(made.ended), add(pixels), add(unclear);
+  return text;
 }
 
 MadePicture stored_picture(const std::string& text) {
   std::istringstream stored(text);
   MadePicture made;
-  std::size_t pixels = 0, other_name = 0, ended = 0;
-  stored >> made.picture.width >> made.picture.height >> pixels >> other_name >> ended;
+  std::size_t other_name = 0, ended = 0, pixels = 0, unclear = 0;
+  stored >> made.picture.width >> made.picture.height >> made.picture.is_lossy >> other_name >>
+      ended >> pixels >> unclear;
   stored.get();
   const auto take = [&](auto& into, std::size_t size) {
     into.resize(size);
@@ -120,6 +125,7 @@ MadePicture stored_picture(const std::string& text) {
   take(made.other_name, other_name);
   take(made.ended, ended);
   take(made.picture.pixels, pixels);
+  take(made.picture.unclear, unclear);
   return made;
 }
 
@@ -169,7 +175,8 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
   if (found && (!failure || failure->kind() == FailureKind::kEnded)) {
     const ComputedFor reading(*program.spent);
     try {
-      return {parse_picture(read_made(found->path, program.limits.file), kMostPicturePixels, size),
+      return {read_picture(read_made(found->path, program.limits.file), program, size,
+                           renderer.colours.background),
               found->is_named ? "" : found->path.filename().string(), failure ? failure->why() : "",
               said};
     } catch (const PictureError& error) {
@@ -227,10 +234,17 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
   for (std::int64_t j = 0; j < camera.height; ++j) {
     const std::int64_t line = rows == scene::Rows::kTopFirst ? j : camera.height - 1 - j;
     for (std::int64_t i = 0; i < camera.width; ++i) {
-      const Colour& colour = picture.pixels[static_cast<std::size_t>(line * camera.width + i)];
-      if (colour == habit.background) continue;
+      const auto from = static_cast<std::size_t>(line * camera.width + i);
       const auto at = static_cast<std::size_t>(j * camera.width + i);
+      const Colour& colour = picture.pixels[from];
+      if (std::ranges::binary_search(picture.unclear, from)) {
+        answer[at] = properties::kUnclear;
+        continue;
+      }
+      if (colour == habit.background) continue;
       answer[at] = properties::kSomeSphere;
+      const bool is_mixed = std::min({colour.red, colour.green, colour.blue}) > 0;
+      if (picture.is_lossy && (is_mixed || spheres > kMostSaturated)) continue;
       if (const auto sphere = colours.sphere_of(colour, habit))
         shown[*sphere].push_back({at, colour});
     }
@@ -280,14 +294,52 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
   }
 }
 
+namespace {
+
+/// JPEG may lose parts of a picture that are narrower or lower than this many pixels.
+constexpr std::int64_t kWide = 3;
+
+/// Makes wrong pixels unclear that are in no square of kWide x kWide pixels of the same sphere, or
+/// of the background, in the exact image.
+void doubt_narrow_parts(const properties::ImageAnswer& exact, std::int64_t width,
+                        properties::ImageAnswer& answer) {
+  const std::int64_t height = std::ssize(exact) / width;
+  std::vector<bool> is_wide(exact.size());
+  const auto all_of_square = [&](std::int64_t first, const auto& is) {
+    for (std::int64_t k = 0; k < kWide * kWide; ++k) {
+      if (!is(static_cast<std::size_t>(first + k / kWide * width + k % kWide))) return false;
+    }
+    return true;
+  };
+  for (std::int64_t y = 0; y + kWide <= height; ++y) {
+    for (std::int64_t x = 0; x + kWide <= width; ++x) {
+      const std::int64_t first = y * width + x;
+      const auto& shown = exact[static_cast<std::size_t>(first)];
+      if (!all_of_square(first, [&](std::size_t k) { return exact[k] == shown; })) continue;
+      all_of_square(first, [&](std::size_t k) { return is_wide[k] = true; });
+    }
+  }
+  for (std::size_t k = 0; k < answer.size(); ++k) {
+    const bool is_as = answer[k] == exact[k] || (answer[k] == properties::kSomeSphere && exact[k]);
+    if (!is_as && !is_wide[k]) answer[k] = properties::kUnclear;
+  }
+}
+
+}  // namespace
+
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
-                               scene::Rows rows) {
+                               const scene::Conventions& conventions) {
   const PictureSize size = {scene.camera->width, scene.camera->height};
   const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
   if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
   const std::string driver = driver_text(scene, renderer.driver, renderer.colours);
-  return image_answer(rendered(renderer, driver, size).picture, *scene.camera, rows,
-                      scene.spheres.size(), renderer.colours);
+  const ReadPicture picture = rendered(renderer, driver, size).picture;
+  properties::ImageAnswer answer = image_answer(picture, *scene.camera, conventions.rows,
+                                                scene.spheres.size(), renderer.colours);
+  if (picture.is_lossy) {
+    doubt_narrow_parts(properties::exact_image(scene, conventions), size.width, answer);
+  }
+  return answer;
 }
 
 }  // namespace raycheck::tools

@@ -28,8 +28,8 @@ inline constexpr const char* kImageFile = "image.ppm";
 inline constexpr int kCannotExpress = 77;
 
 /// A finished renderer. Its command line is run once per picture; {scene} stands for a scene
-/// file, {image} for the picture to make (PPM or PNG), {width} and {height} for its size. Without
-/// {image}, the program chooses the name, or takes it from the scene file.
+/// file, {image} for the picture to make (read_picture() lists the formats), {width} and {height}
+/// for its size. Without {image}, the program chooses the name, or takes it from the scene file.
 struct Renderer {
   Confined program;
   /// The command that confirms exit code kCannotExpress: if `program` exits with it and makes no
@@ -56,8 +56,8 @@ std::string driver_text(const scene::Scene& scene, const DriverForm& form,
                         const ColourHabit& habit = {});
 
 /// The sphere that each pixel shows: empty for the background colour; the sphere whose colour the
-/// pixel nearly has; kSomeSphere for every other colour. Errors: properties::OtherSize if the size
-/// is wrong.
+/// pixel nearly has; kUnclear for the unclear pixels; kSomeSphere for every other colour. Errors:
+/// properties::OtherSize if the size is wrong.
 properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
                                      scene::Rows rows, std::size_t spheres,
                                      const ColourHabit& habit = {});
@@ -73,12 +73,14 @@ struct MadePicture {
 /// Runs the program on a driver file, or takes the stored picture of the `nth` run. A complete
 /// picture counts, whatever the program's exit code. A picture of the wrong size is returned
 /// without pixels. The time to read a picture is charged to the program. Errors: ProcessFailure
-/// (kCannotExpress if the wrapper confirms it); std::runtime_error if the picture is invalid.
+/// (kCannotExpress if the wrapper confirms it); std::runtime_error if the picture is invalid;
+/// properties::CannotBeSaid if raycheck lacks the program to read it.
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
                      int nth = 1);
 
-/// Draws a scene and returns the sphere of each pixel. Errors: as rendered() and image_answer().
+/// Draws a scene and returns the sphere of each pixel, by the conventions that the renderer is
+/// judged by. Errors: as rendered() and image_answer().
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
-                               scene::Rows rows);
+                               const scene::Conventions& conventions);
 
 }  // namespace raycheck::tools

@@ -38,7 +38,47 @@ std::size_t levels_for(std::size_t count) {
   return levels;
 }
 
+/// Half the brightness of blue, the darkest saturated colour, in JPEG.
+constexpr double kJpegNoise = 0.114 / 2;
+/// A pixel that is at least this bright, compared with the brightest one, shows a sphere; edges of
+/// spheres may spread light to the background next to them, but less.
+constexpr double kJpegBright = 0.875;
+/// The brightest pixel counts as this bright at least, because it may be the rest of a small
+/// sphere.
+constexpr std::uint8_t kJpegFull = 200;
+
 }  // namespace
+
+void restore_colours(ReadPicture& picture, const Colour& background) {
+  picture.is_lossy = true;
+  const auto brightness = [](const Colour& c) { return std::max({c.red, c.green, c.blue}); };
+  std::uint8_t full = kJpegFull;
+  for (const Colour& colour : picture.pixels) full = std::max(full, brightness(colour));
+  const auto is_near = [noise = kJpegNoise * full](const Colour& a, const Colour& b) {
+    return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green),
+                     std::abs(a.blue - b.blue)}) <= noise;
+  };
+  const auto saturated = [full](std::uint8_t channel) {
+    return 2 * channel < full ? std::uint8_t{0} : full;
+  };
+  for (std::uint32_t at = 0; at < picture.pixels.size(); ++at) {
+    Colour& colour = picture.pixels[at];
+    const Colour pure = {saturated(colour.red), saturated(colour.green), saturated(colour.blue)};
+    if (is_near(colour, background)) {
+      colour = background;
+    } else if (is_near(colour, pure)) {
+      colour = pure;
+    } else if (!(background == Colour{}) || brightness(colour) < kJpegBright * full) {
+      picture.unclear.push_back(at);
+      if (2 * brightness(colour) < full) colour = {};
+    } else {
+      const auto not_empty = [](std::uint8_t channel) {
+        return std::max(channel, std::uint8_t{1});
+      };
+      colour = {not_empty(colour.red), not_empty(colour.green), not_empty(colour.blue)};
+    }
+  }
+}
 
 SphereColours::SphereColours(std::size_t count) : levels_(levels_for(count)) {
   const std::size_t levels = levels_;

@@ -23,6 +23,14 @@ struct ColourHabit {
   friend bool operator==(const ColourHabit&, const ColourHabit&) = default;
 };
 
+/// Undoes what JPEG does to the colours of a picture whose spheres have saturated colours, and
+/// lists the pixels where that fails as unclear. JPEG blurs hues, but keeps every pixel's
+/// brightness, up to noise: a pixel is clear if it is nearer to the background or to a saturated
+/// colour than the darkest sphere is to black or, on a black background, nearly as bright as the
+/// brightest sphere; if its hue is not near a saturated one, it then has no empty channel. Pictures
+/// of quality 50 and more were tried, with each subsampling of colours.
+void restore_colours(ReadPicture& picture, const Colour& background);
+
 /// A pixel: its index in the image, and its colour.
 struct ShownPixel {
   std::size_t at = 0;

@@ -48,6 +48,13 @@ std::uint64_t next_user() {
 
 std::string program_path() { return fmt::format("{}", fmt::join(kProgramFolders, ":")); }
 
+bool is_on_path(const std::string& program) {
+  return std::ranges::any_of(kProgramFolders, [&](const char* folder) {
+    std::error_code error;
+    return fs::is_regular_file(fs::path(folder) / program, error);
+  });
+}
+
 fs::path helper(const std::string& name) { return readable_copy(program_folder() / name); }
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }

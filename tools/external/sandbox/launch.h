@@ -198,6 +198,8 @@ class ProcessFailure : public std::runtime_error {
 inline constexpr std::array kProgramFolders = {"/usr/local/bin", "/usr/bin", "/bin"};
 /// kProgramFolders as a value of PATH.
 std::string program_path();
+/// Whether one of kProgramFolders has a program with this name.
+bool is_on_path(const std::string& program);
 
 /// The path of raycheck-jail or raycheck-worker.
 std::filesystem::path helper(const std::string& name);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "scene/invalid_input.h"
+#include "tools/external/pictures/other_formats.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/json.h"
@@ -221,8 +222,8 @@ std::optional<std::string> notebook_module(std::string_view text) try {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kPictureEndings = {
-    ".ppm", ".pnm", ".pgm", ".pbm", ".png", ".jpg", ".jpeg", ".gif", ".bmp"};
+/// The endings of pictures that are not read.
+constexpr std::array<std::string_view, 3> kPictureEndings = {".pgm", ".pbm", ".gif"};
 
 /// A run's folder contains at most this many folders and files of a submission; those nearer to the
 /// top come first.
@@ -268,7 +269,8 @@ constexpr Beginning kBeginnings[] = {{"\x7f"
                                      {"\x89PNG", kPicture},
                                      {"\xff\xd8\xff", kPicture},
                                      {"GIF8", kPicture},
-                                     {"BM", kPicture}};
+                                     {"BM", kPicture},
+                                     {"\x76\x2f\x31\x01", kPicture}};
 
 /// The beginnings of PNG and of PPM in Base64.
 constexpr std::string_view kEmbedded[] = {"iVBORw0KGgo", "UDYK", "UDMK"};
@@ -323,7 +325,7 @@ std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
     if (!is_left_out(folder)) start.folders.push_back(folder);
   }
   for (const auto& [name, file] : files) {
-    if (is_left_out(name) || is_one_of(kPictureEndings, ending_of(name)) ||
+    if (is_left_out(name) || is_picture_name(name) || is_one_of(kPictureEndings, ending_of(name)) ||
         kind_by_beginning(file.text) == kPicture)
       continue;
     names.push_back(name);

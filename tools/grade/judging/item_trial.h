@@ -65,7 +65,7 @@ struct GradedCandidate {
 /// A picture of which only the mask counts: whether a pixel shows a sphere, not which.
 inline properties::ImageAnswer mask_of(properties::ImageAnswer image) {
   for (auto& sphere : image) {
-    if (sphere) sphere = properties::kSomeSphere;
+    if (sphere && sphere != properties::kUnclear) sphere = properties::kSomeSphere;
   }
   return image;
 }

@@ -92,6 +92,7 @@ namespace {
 
 using properties::ImageAnswer;
 using properties::kSomeSphere;
+using properties::kUnclear;
 using Sphere = ImageAnswer::value_type;
 
 /// Okabe and Ito's colours, which colour-blind readers can distinguish; black is the background.
@@ -133,7 +134,7 @@ constexpr Mark kMarks[] = {
 
 /// The mark of a pixel; null if the pixel is right.
 const Mark* mark_of(const Sphere& got, const Sphere& exact) {
-  if (got == exact || (got == kSomeSphere && exact)) return nullptr;
+  if (got == exact || got == kUnclear || (got == kSomeSphere && exact)) return nullptr;
   return &kMarks[!got ? 0 : !exact ? 1 : 2];
 }
 
@@ -155,6 +156,7 @@ struct Canvas {
 
 Colour colour_of(const Sphere& sphere) {
   if (!sphere) return {};
+  if (sphere == kUnclear) return kQuiet;
   return *sphere == kSomeSphere ? kSomeColour : kColours[*sphere % kColours.size()];
 }
 
@@ -175,7 +177,7 @@ std::string name_of(std::size_t sphere) {
 std::set<std::size_t> spheres_of(const ImageAnswer& image) {
   std::set<std::size_t> shown;
   for (const Sphere& sphere : image) {
-    if (sphere) shown.insert(*sphere);
+    if (sphere && sphere != kUnclear) shown.insert(*sphere);
   }
   return shown;
 }

@@ -13,7 +13,7 @@ Json triple_json(const Triple& v) {
 }
 
 /// A picture as runs of equal pixels. "12x- 3x0 4x?" is twelve background pixels, three of sphere 0
-/// and four of an unidentified sphere.
+/// and four of an unidentified sphere; ~ is a pixel that is unclear.
 std::string runs_of(const properties::ImageAnswer& image) {
   std::string text;
   for (std::size_t k = 0, count = 1; k < image.size(); k += count, count = 1) {
@@ -22,7 +22,9 @@ std::string runs_of(const properties::ImageAnswer& image) {
     if (!image[k]) {
       text += "-";
     } else {
-      text += *image[k] == properties::kSomeSphere ? "?" : std::to_string(*image[k]);
+      text += *image[k] == properties::kSomeSphere ? "?"
+              : *image[k] == properties::kUnclear  ? "~"
+                                                   : std::to_string(*image[k]);
     }
   }
   return text;

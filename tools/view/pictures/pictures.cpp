@@ -78,9 +78,9 @@ constexpr std::size_t kPixelsAtOnce = 512;
 static_assert(kPixelsAtOnce <= properties::kKeptDiscrepancies);
 
 std::int32_t pixel_of(const std::optional<std::size_t>& pixel) {
-  return !pixel                              ? reference::kNoSphere
-         : *pixel == properties::kSomeSphere ? kSomePixel
-                                             : static_cast<std::int32_t>(*pixel);
+  return !pixel                           ? reference::kNoSphere
+         : *pixel >= properties::kUnclear ? kSomePixel
+                                          : static_cast<std::int32_t>(*pixel);
 }
 
 void paint_chunk(const properties::Case& chunk, const properties::Candidate& candidate,
