@@ -387,19 +387,22 @@ const std::map<std::string, FileFormat, std::less<>>& formats() {
   return kAll;
 }
 
-const FileFormat* format_named(const std::filesystem::path& name) {
+const FileFormat* format_named(const std::filesystem::path& name, const std::string& variant) {
   if (name.extension() != ".toml") {
-    const auto found = formats().find(name.string());
+    const std::string known = name.string() + (variant.empty() ? "" : "-" + variant);
+    const auto found = formats().find(known);
     return found == formats().end() ? nullptr : &found->second;
   }
   static std::mutex mutex;
-  static std::map<std::filesystem::path, FileFormat> all;  // keeps the addresses
+  static std::map<std::pair<std::filesystem::path, std::string>, FileFormat> all;
   const std::lock_guard lock(mutex);
-  const auto [known, is_new] = all.try_emplace(std::filesystem::absolute(name));
+  const std::filesystem::path path = std::filesystem::absolute(name);
+  const auto [known, is_new] = all.try_emplace({path, variant});  // keeps the addresses
   if (is_new) {
     try {
-      known->second = read_format(file_text(name), name.string());
-      known->second.name = name.filename().string();  // as --dialect has it
+      known->second = read_format(file_text(name), name.string(), variant);
+      known->second.path = path;
+      known->second.name = name.filename().string() + (variant.empty() ? "" : ":" + variant);
     } catch (...) {
       all.erase(known);
       throw;
@@ -411,8 +414,9 @@ const FileFormat* format_named(const std::filesystem::path& name) {
 std::vector<const FileFormat*> variants_of(const FileFormat& format) {
   std::vector<const FileFormat*> all;
   for (const std::string& variant : format.variants) {
-    const auto known = formats().find(format.name + "-" + variant);
-    if (known != formats().end()) all.push_back(&known->second);
+    const auto* one = format_named(
+        format.path.empty() ? std::filesystem::path(format.name) : format.path, variant);
+    if (one != nullptr && one != &format) all.push_back(one);
   }
   return all;
 }

@@ -46,6 +46,7 @@ struct FormatStatement {
 struct FileFormat {
   std::string name;  ///< "cse5607"; of a variant "cse5607-hfov".
   std::string title;
+  std::filesystem::path path;         ///< The file, if it is a user's.
   std::vector<std::string> variants;  ///< Their names: "hfov".
   std::vector<std::string> endings;   ///< Of file names: ".nff".
   std::string comments;               ///< What begins a comment, up to the end of the line.
@@ -75,8 +76,8 @@ struct FileFormat {
   std::optional<Origin> origin = {};
 
   bool has(std::string_view slot) const;
-  /// Whether it is a user's file; then that is its name.
-  bool is_of_user() const { return name.ends_with(".toml"); }
+  /// Whether it is a user's file; then its name is "ours.toml", that of a variant "ours.toml:hfov".
+  bool is_of_user() const { return !path.empty(); }
   /// Whether its files have an angle of view in place of a window.
   bool has_angle() const { return !has("left") && !fixed.contains("left"); }
   /// Whether programs may read other forms of it.
@@ -91,8 +92,8 @@ FileFormat read_format(std::string_view text, std::string_view file, std::string
 const std::map<std::string, FileFormat, std::less<>>& formats();
 
 /// A format that comes with raycheck, or, if the name ends in ".toml", that of this file, which is
-/// read once. Null if there is none. Errors: SceneFileError.
-const FileFormat* format_named(const std::filesystem::path& name);
+/// read once, or one of its variants. Null if there is none. Errors: SceneFileError.
+const FileFormat* format_named(const std::filesystem::path& name, const std::string& variant = "");
 
 /// The variants of a format: of other years of a course, say.
 std::vector<const FileFormat*> variants_of(const FileFormat& format);

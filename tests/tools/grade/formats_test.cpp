@@ -62,15 +62,24 @@ TEST(SceneFormats, of_a_course_are_files_beside_its_rubric) {
   const Grading grading;
   const std::string nff = contents(RAYCHECK_SOURCE_DIR "/scene/formats/nff.toml");
   grading.write("ours.toml",
-                replaced(replaced(nff, "from {eye}", "seen_from {eye}"), ".nff", ".ours"));
+                replaced(replaced(nff, "from {eye}", "seen_from {eye}"), ".nff", ".ours") +
+                    "[variant]\nlater = { \"seen_from {eye}\" = \"located {eye}\" }\n");
   const std::string rubric = rubric_of(grading, "ours.toml");
   const std::string text = replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
                                     "camera[\"from\"]", "camera[\"seen_from\"]");
   const std::string right = grading.hand_in("right", "rt.py", text);
   const std::string half =
       grading.hand_in("half", "rt.py", replaced(text, "mistake == \"half-angle\"", "True"));
-  grading.grade(rubric, {right, half}, "out", kLimitsOnly);
+  const std::string later =
+      grading.hand_in("later", "rt.py", replaced(text, "\"seen_from\"", "\"located\""));
+  grading.grade(rubric, {right, half, later}, "out", kLimitsOnly);
   EXPECT_EQ(grading.result("right")["score"], 10);
+  EXPECT_EQ(grading.result("later")["score"], 10);
+  EXPECT_EQ(grading.result("later")["driver"]["dialect"], "ours.toml:later");
+  const std::string again =
+      grading.write("again.toml", replaced(contents(rubric), "ours.toml", "ours.toml:later"));
+  grading.grade(again, {later}, "again", kLimitsOnly);
+  EXPECT_TRUE(grading.result("later", "again")["notes"].empty());
   EXPECT_EQ(grading.result("half")["score"], 0);
   EXPECT_EQ(grading.result("half")["driver"]["dialect"], "ours.toml");
   expect_parts(grading.file("half", "report.html"), {"seen_from", "rt.py pictures.ours out.ppm"});

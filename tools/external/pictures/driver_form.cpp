@@ -201,9 +201,20 @@ DriverForm driver_form(std::string_view name) {
 
 DriverRule driver_rule(std::string_view name, const std::filesystem::path& folder) {
   if (name == kAuto) return {};
-  const bool is_file = name.ends_with(".toml");
-  if (const auto* format = scene::format_named(is_file ? folder / name : name)) {
-    return {{format}, !scene::variants_of(*format).empty(), true};
+  constexpr std::string_view kFile = ".toml";
+  const std::size_t at = name.find(kFile);
+  const bool is_file =
+      at != name.npos && (name.ends_with(kFile) || name.substr(at + kFile.size()).starts_with(':'));
+  const std::size_t end = is_file ? at + kFile.size() : name.size();
+  if (const auto* format = scene::format_named(is_file ? folder / name.substr(0, end) : name)) {
+    if (!is_file || end == name.size()) return {{format}, !variants_of(*format).empty(), true};
+    const std::string variant(name.substr(end + 1));
+    if (std::ranges::find(format->variants, variant) == format->variants.end()) {
+      throw std::invalid_argument(fmt::format("{} has no variant {}; it has {}",
+                                              name.substr(0, end), variant,
+                                              scene::joined(format->variants)));
+    }
+    return {{scene::format_named(folder / name.substr(0, end), variant)}, false, true};
   }
   if (name.find(':') != std::string_view::npos) return {driver_form(name), false, true};
   if (const auto form = driver_preset(name)) return {*form, false, true};
@@ -222,7 +233,7 @@ DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table
   DriverRule rule;
   if (const auto field = fields.optional(from, "preset")) {
     const std::string preset = fields.text(*field);
-    if (preset.ends_with(".toml") && preset.find('/') != std::string::npos) {
+    if (preset.find(".toml") != std::string::npos && preset.find('/') != std::string::npos) {
       fields.fail(*field, "must be a file name, without a folder");
     }
     try {

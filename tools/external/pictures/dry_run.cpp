@@ -58,7 +58,11 @@ class DryRunner {
     }
     found.picture_name = chosen.made->other_name;
     if (!chosen.reads()) found.said = chosen.made->said;
-    if (rule_.is_asked_for && !(chosen.form == rule_.form || unsteady_ == rule_.form)) {
+    if (tells_by_) {
+      found.notes.push_back(
+          fmt::format("it shows spheres in their colours only in scene files of form {}, not {}",
+                      tells_by_->text(), rule_.form.text()));
+    } else if (rule_.is_asked_for && !(chosen.form == rule_.form || unsteady_ == rule_.form)) {
       found.notes.push_back(unread_note(chosen.form));
     }
     if (unsteady_) {
@@ -180,7 +184,9 @@ class DryRunner {
       if (form == rule_.form) continue;
       if (control_.interrupted() || timed_out_ >= kMostTimeouts) break;
       const auto found = steady(attempt(form));
-      if (found && tells_spheres(*found)) return *found;
+      if (!found || !tells_spheres(*found)) continue;
+      tells_by_ = form;
+      return *found;
     }
     return read;
   }
@@ -361,6 +367,7 @@ class DryRunner {
   const PictureSize size_ = {scene_.camera->width, scene_.camera->height};
   const properties::ImageAnswer truth_ = properties::exact_image(scene_, scene_.conventions);
   int tried_ = 0, timed_out_ = 0;
+  std::optional<DriverForm> tells_by_;  ///< The form chosen for its colours.
   std::optional<DriverForm> unsteady_;  ///< The last form whose two pictures differ.
 };
 

@@ -48,8 +48,8 @@ class RubricReader {
     read_seconds(file, rubric);
     if (const auto field = fields_.optional(file, "driver")) {
       rubric.driver = read_driver(fields_, fields_.table(*field), path_.parent_path());
-      if (const auto* format = rubric.driver.form.format; format && format->is_of_user()) {
-        files_[format->name] = path_.parent_path() / format->name;
+      if (const auto* format = rubric.driver.form.format; format->is_of_user()) {
+        files_[format->path.filename().string()] = format->path;
       }
     }
     if (const auto field = fields_.optional(file, "limits")) {
