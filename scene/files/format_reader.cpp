@@ -235,10 +235,11 @@ class FormattedReader {
   }
 
   double number(std::string_view slot, std::size_t first, std::size_t at) const {
-    const auto& [text, line] = words_[at];
+    const std::string_view text = words_[at].text;
     const auto fail = [&](std::string_view what) {
       const std::string index = std::to_string(at - first - 1);
-      located_.fail(line, std::string(words_[first].text) + "[" + index + "]", text, what);
+      located_.fail(words_[at].line, std::string(words_[first].text) + "[" + index + "]", text,
+                    what);
     };
     if (slot == "width" || slot == "height" || slot == "size") {
       if (!parse_integer(text)) fail("is not a whole number of pixels");
