@@ -62,7 +62,12 @@ fs::path new_path(const NewArguments& arguments, const std::string& file) {
 
 /// Writes a draft of a format from an example file, and says how far it reads the example.
 std::string write_format(const NewArguments& arguments) {
-  const std::string example = scene::file_text(arguments.from);
+  std::string example;
+  try {
+    example = scene::file_text(arguments.from);
+  } catch (const scene::SceneFileError& error) {
+    throw std::invalid_argument(fmt::format("--from {}", error.what()));
+  }
   const fs::path path = new_path(arguments, arguments.name + ".toml");
   make_folder("out", arguments.out);
   OutputFile("out", path).write(drafted_format(arguments.name, arguments.from, example));

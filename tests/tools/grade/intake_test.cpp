@@ -162,7 +162,8 @@ const std::vector<Brought> kBuilt = {
                       "std::tuple<int, std::optional<int>> unused() { return {1, 2}; }\n"
                       "auto digits() { return std::setprecision(2); }\n"}}),
      "",
-     {"the missing #include <tuple> is added to one.cpp",
+     {"the missing #include <iomanip> is added to one.cpp",
+      "the missing #include <tuple> is added to one.cpp",
       "the missing #include <optional> is added to one.cpp"}},
     {"is_given_headers_of_which_gcc_says_only_that_a_name_is_missing",
      with(kSources,
