@@ -9,6 +9,7 @@
 #include "properties/laws/law.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
+#include "scene/files/format.h"
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
 #include "tools/check/judgement.h"
@@ -82,8 +83,11 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
 
 /// The scene. Renderers that do not keep their form are changed to that of the file.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
+  // Unless it is a user's, the format is that of the renderers' files.
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
-  scene::LoadedScene loaded = scene::load_scene(options.path, draw ? nullptr : options.read_as);
+  const bool is_of_file = !draw || (options.read_as != nullptr && options.read_as->is_of_user());
+  scene::LoadedScene loaded =
+      scene::load_scene(options.path, is_of_file ? options.read_as : nullptr);
   if (loaded.format.empty() || options.keeps_forms) return loaded;
   for (Implementation& one : implementations) {
     if (one.draws()) one = one.reading(loaded.format);
