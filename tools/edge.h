@@ -44,8 +44,8 @@ std::int64_t parse_index(const char* option, std::string_view text, std::int64_t
 /// A pixel of a scene's camera, "I,J"; the error also names the scene's file.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
-/// The format in which a file is to be read, from --dialect; null for an empty text, for `auto` and
-/// for a format with variants: then it is detected from the file.
+/// The format in which a file is to be read, from --dialect; null for an empty text and for `auto`:
+/// then it is detected from the file.
 const scene::FileFormat* parse_dialect(const std::string& text);
 /// The driver form from --dialect, or the rule `auto` (each is tried); empty for an empty text.
 std::optional<DriverRule> parse_driver(const std::string& text);

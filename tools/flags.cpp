@@ -63,7 +63,7 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
 
 const scene::FileFormat* parse_dialect(const std::string& text) {
   const auto rule = parse_driver(text);
-  return rule && !rule->tries_others ? rule->form.format : nullptr;
+  return rule && rule->is_asked_for ? rule->form.format : nullptr;
 }
 
 std::optional<DriverRule> parse_driver(const std::string& text) {

@@ -1,6 +1,7 @@
 #include "scene/files/format.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <numbers>
 #include <set>
@@ -141,6 +142,9 @@ class FormatReader {
       if (numbers.size() != slot->numbers) {
         fields_.fail(field, "must have " + std::to_string(slot->numbers) + " numbers");
       }
+      if (is_pixels(slot->name) && !is_whole(numbers.front())) {
+        fields_.fail(field, "is not a whole number of pixels");
+      }
     }
   }
 
@@ -158,7 +162,7 @@ class FormatReader {
     std::int64_t least = 0, most = 0;
     for (const FormatStatement& statement : format_.statements) {
       for (const FormatPart& part : statement.parts) {
-        if (!statement.is_of_sphere) continue;
+        if (!statement.has("centre")) continue;
         least += static_cast<std::int64_t>(part.numbers);
         if (part.slot != "*") continue;
         most += std::ranges::count(part.written, ' ') + (part.written.empty() ? 0 : 1);
@@ -342,6 +346,12 @@ std::optional<AngleSlot> angle_slot(std::string_view slot) {
   return {};
 }
 
+bool is_pixels(std::string_view slot) {
+  return slot == "width" || slot == "height" || slot == "size";
+}
+
+bool is_whole(double number) { return number == std::floor(number) && std::abs(number) < 0x1p53; }
+
 int sign_of_slot(std::string_view slot) { return slot == "distance" ? 1 : slot == "near" ? -1 : 0; }
 
 bool has_wrong_sign(const FormatStatement& statement, std::string_view words) {
@@ -359,10 +369,8 @@ bool has_wrong_sign(const FormatStatement& statement, std::string_view words) {
 }
 
 bool FileFormat::has(std::string_view slot) const {
-  return std::ranges::any_of(statements, [&](const FormatStatement& statement) {
-    return std::ranges::any_of(statement.parts,
-                               [&](const FormatPart& part) { return part.slot == slot; });
-  });
+  return std::ranges::any_of(statements,
+                             [&](const FormatStatement& statement) { return statement.has(slot); });
 }
 
 FileFormat read_format(std::string_view text, std::string_view file, std::string_view variant) {
@@ -440,8 +448,27 @@ const FileFormat* format_of(std::string_view file, std::string_view text) {
   return best_fit.first >= kNearlyFits ? best : nullptr;
 }
 
+namespace {
+
+bool is_read(const FileFormat& format, std::string_view text) {
+  try {
+    read_formatted(format, text, "");
+    return true;
+  } catch (const SceneFileError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 LoadedScene read_any_format(std::string_view text, std::string_view file, const FileFormat* asked) {
   const FileFormat* const found = format_of(file, text);
+  if (asked != nullptr) {
+    const Keywords words = keywords_of(without_mark(text).substr(0, kMostLooked));
+    for (const FileFormat* variant : variants_of(*asked)) {
+      if (fit(*variant, words.all) > fit(*asked, words.all)) asked = variant;
+    }
+  }
   if (asked == nullptr && found == nullptr) {
     LocatedFields(file).fail(1, "first words",
                              joined(keywords_of(text.substr(0, kMostLooked)).first),
@@ -451,7 +478,7 @@ LoadedScene read_any_format(std::string_view text, std::string_view file, const 
   try {
     return read_formatted(asked != nullptr ? *asked : *found, text, file);
   } catch (const SceneFileError& error) {
-    if (asked == nullptr || found == nullptr || found == asked) throw;
+    if (asked == nullptr || found == nullptr || found == asked || !is_read(*found, text)) throw;
     throw SceneFileError(std::string(error.what()) + "; the file is of the format " + found->name);
   }
 }

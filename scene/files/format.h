@@ -3,6 +3,7 @@
 // Forms of scene files, as data: a template in which the numbers of a scene have names. Files are
 // written by filling it, and read by matching its statements.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -35,6 +36,9 @@ struct FormatStatement {
   std::vector<FormatPart> parts;  ///< If the first is not a literal word, it is only written.
   std::string text;               ///< As in the template, with its line end.
   bool is_of_sphere = false;      ///< Whether it is repeated for each sphere.
+  bool has(std::string_view slot) const {
+    return std::ranges::any_of(parts, [&](const FormatPart& part) { return part.slot == slot; });
+  }
   /// Its first word, or the name of its first slot: "light", "extra"; empty if it has neither.
   std::string_view keyword() const {
     if (parts.empty()) return "";
@@ -134,6 +138,10 @@ inline std::string_view without_mark(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
+
+/// Whether a slot is a number of pixels, and whether a number can be one: doubles have it exactly.
+bool is_pixels(std::string_view slot);
+bool is_whole(double number);
 
 /// The sign that the number of a slot must have; 0: any.
 int sign_of_slot(std::string_view slot);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <span>
 #include <tuple>
@@ -241,10 +242,10 @@ class FormattedReader {
       located_.fail(words_[at].line, std::string(words_[first].text) + "[" + index + "]", text,
                     what);
     };
-    if (slot == "width" || slot == "height" || slot == "size") {
-      if (!parse_integer(text)) fail("is not a whole number of pixels");
-    }
     const auto value = parse_number(text);
+    if (is_pixels(slot) && !(parse_integer(text) && is_whole(*value))) {
+      fail("is not a whole number of pixels");
+    }
     if (!value) fail("is not a number");
     return *value;
   }
@@ -438,7 +439,13 @@ class FormattedReader {
       camera.top = camera.right / ratio;
     } else {
       const auto [slot, angle] = angle_of();
-      const double half = std::tan(required({slot}).front() * angle.half) * std::abs(camera.near);
+      const double half_angle = required({slot}).front() * angle.half;
+      if (!(half_angle > 0 && half_angle < std::numbers::pi / 2)) {
+        located_.fail(camera_.find(slot)->second.line, keyword_of({slot}),
+                      shortest(required({slot}).front()),
+                      "is no angle of view: it must be above 0 and below 180 degrees");
+      }
+      const double half = std::tan(half_angle) * std::abs(camera.near);
       const bool is_vertical = angle.is_vertical(camera);
       camera.top = is_vertical ? half : half / ratio;
       camera.right = is_vertical ? half * ratio : half;

@@ -74,6 +74,15 @@ TEST(NewFormat, names_what_its_example_does_not_give) {
                {"# No line gives the up vector: name its numbers {up}",
                 "# No line gives the angle of view or the window: name its numbers {fovy}"});
   expect_parts(run("new other --from no-such-file", 2).err, {"no-such-file: cannot be read"});
+  for (const std::string text : {"", "# nothing\n",
+                                 "gr\xf6\xdf"
+                                 "e 1\n",
+                                 "\x7f"
+                                 "ELF\x01 2\n"}) {
+    const std::string file = temporary_file("no-scene.txt", text);
+    expect_parts(run("new other --from " + file, 2).err,
+                 {"--from " + file + ": has no statements in UTF-8"});
+  }
 }
 
 }  // namespace

@@ -62,15 +62,15 @@ fs::path new_path(const NewArguments& arguments, const std::string& file) {
 
 /// Writes a draft of a format from an example file, and says how far it reads the example.
 std::string write_format(const NewArguments& arguments) {
-  std::string example;
+  std::string draft;
   try {
-    example = scene::file_text(arguments.from);
+    draft = drafted_format(arguments.name, arguments.from, scene::file_text(arguments.from));
   } catch (const scene::SceneFileError& error) {
     throw std::invalid_argument(fmt::format("--from {}", error.what()));
   }
   const fs::path path = new_path(arguments, arguments.name + ".toml");
   make_folder("out", arguments.out);
-  OutputFile("out", path).write(drafted_format(arguments.name, arguments.from, example));
+  OutputFile("out", path).write(draft);
   std::string said;
   try {
     const auto loaded = scene::load_scene(arguments.from, scene::format_named(path));

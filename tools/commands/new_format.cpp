@@ -223,10 +223,18 @@ class Draft {
 std::string drafted_format(std::string_view title, std::string_view source, std::string_view text) {
   const std::string comments = comments_of(text);
   const std::vector<Line> lines = lines_of_example(text, comments);
+  std::string plain(text);
+  std::erase(plain, '\r');
+  if (lines.empty() || scene::visible(plain) != plain) {
+    throw scene::SceneFileError(
+        fmt::format("{}: has no statements in UTF-8 from which a format can be drafted", source));
+  }
   const auto [todo, rest] = Draft(lines).texts();
-  std::string draft =
-      fmt::format("# Drafted from {}. The slots: docs/scenes.md, Other formats.\n{}",
-                  scene::visible_line(source), todo);
+  std::string draft = fmt::format(
+      "# Drafted from {}. The slots: docs/scenes.md, Other formats.\n"
+      "# Meanings are guessed: {{look_at}} or {{view}}, {{radius}} or "
+      "{{diameter}}, {{fovy}} or {{fovx}}, degrees or radians.\n{}",
+      scene::visible_line(source), todo);
   draft += fmt::format("title = {}\n", toml_text(std::string(title)));
   if (!comments.empty()) draft += fmt::format("comments = {}\n", toml_text(comments));
   if (std::ranges::any_of(lines, &Line::has_commas)) draft += "separators = \",\"\njoint = \",\"\n";

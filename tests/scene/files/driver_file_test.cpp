@@ -127,6 +127,8 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
       {kA + "sphere 1 2 3 r\n", "f.txt:7: sphere[3] = r: is not a number"},
       {replaced(kA, "d 2", "d"), "f.txt:4: d = : needs 1 number, has 0"},
       {replaced(kC, " -2", ""), "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9"},
+      {replaced(kA, "res 16 9", "res 16 9223372036854775807"),
+       "f.txt:6: res[1] = 9223372036854775807: is not a whole number of pixels"},
       {replaced(kA, "res 16 9", "res 16.0 9"),
        "f.txt:6: res[0] = 16.0: is not a whole number of pixels"}};
   for (const auto& [text, error] : errors) EXPECT_EQ(error_of(text), error);

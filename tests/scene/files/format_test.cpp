@@ -107,6 +107,30 @@ TEST(ReadFormatted, NamesLineAndKeywordOfWhatIsWrong) {
                   "f.x:8: WALL: unknown keyword, ignored (first on line 8)"));
 }
 
+TEST(ReadFormatted, RefusesWhatWouldBeAnotherScene) {
+  const std::string balls = "from 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nresolution 8 8\ns 0 0 0 1\n";
+  for (const char* const angle : {"0", "-45", "180", "360", "nan"}) {
+    EXPECT_TRUE(has(thrown_by<SceneFileError>([&] {
+                      read_any_format(replaced(balls, "angle 45", std::string("angle ") + angle),
+                                      "f.x");
+                    }),
+                    std::string("f.x:4: angle = ") + angle + ": is no angle of view"));
+  }
+  const std::string pbrt =
+      "LookAt 0 0 5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [ 45 ]\n"
+      "AttributeBegin\nTranslate 0 0 0\nShape \"sphere\" \"float radius\" [ 1 ]\nAttributeEnd\n";
+  EXPECT_TRUE(has(thrown_by<SceneFileError>([&] { read_any_format(pbrt, "f.pbrt"); }),
+                  "f.pbrt:5: Shape: cannot be read: only spheres that are area lights"));
+  // A file is said to be of another format only if that reads it.
+  const std::string nearly = replaced(balls, "up 0 1 0", "up 0 1");
+  const std::string error =
+      thrown_by<SceneFileError>([&] { read_any_format(nearly, "f.x", format_named("cse167")); });
+  EXPECT_EQ(error.find("the file is of the format"), std::string::npos) << error;
+  EXPECT_TRUE(
+      has(thrown_by<SceneFileError>([&] { read_any_format(balls, "f.x", format_named("cse167")); }),
+          "; the file is of the format nff"));
+}
+
 TEST(ReadFormat, RefusesWrongTemplates) {
   for (const auto& [text, says] :
        {Wrong{replaced(kWindow, "{left}", "{lef}"), "the-format.toml:2: template = "},

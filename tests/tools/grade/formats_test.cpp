@@ -91,6 +91,29 @@ TEST(SceneFormats, of_a_course_are_files_beside_its_rubric) {
   expect_parts(wrong.err, {"ours.toml:5: template = ", "{eyes} is not a slot"});
 }
 
+/// A scene is read in the user's format by check with a renderer, too, in the variant that fits; a
+/// format that the file contradicts is not said to be the file's if it does not read it.
+TEST(SceneFormats, of_users_are_those_of_scenes_that_renderers_draw) {
+  const Grading grading;
+  const std::string nff = contents(RAYCHECK_SOURCE_DIR "/scene/formats/nff.toml");
+  const std::string ours = grading.write(
+      "ours.toml", replaced(nff, "from {eye}", "seen_from {eye}") +
+                       "[variant]\nlater = { \"seen_from {eye}\" = \"located {eye}\" }\n");
+  const std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py");
+  for (const std::string keyword : {"seen_from", "located"}) {
+    const std::string balls = temporary_file("balls.txt", replaced(kBalls, "from ", keyword + " "));
+    const std::string program = grading.write(
+        keyword + ".py", replaced(text, "camera[\"from\"]", "camera[\"" + keyword + "\"]"));
+    expect_parts(
+        run("check " + balls + " --dialect " + ours + (keyword == "located" ? ":later" : "") +
+                " --candidate 'renderer:python3 " + program + " {scene} {image}'",
+            0)
+            .out,
+        {"(format ours.toml", "64 x 48 pixels, 2 spheres", "no discrepancy"});
+    expect_parts(run("check " + balls + " --dialect " + ours, 0).out, {"(format ours.toml"});
+  }
+}
+
 /// Where pixels are sampled may be open.
 TEST(SceneFormats, may_leave_samples_open) {
   const Grading grading;

@@ -31,6 +31,10 @@ bool is_count(std::string_view part) {
   return !part.empty() && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
 }
 
+bool has_count(const FileFormat& format, std::int64_t numbers) {
+  return std::ranges::find(format.sphere_numbers, numbers) != format.sphere_numbers.end();
+}
+
 std::int64_t sphere_numbers_of(std::string_view part, const FileFormat& format) {
   for (const std::int64_t numbers : format.sphere_numbers) {
     if (std::to_string(numbers) == part) return numbers;
@@ -73,7 +77,7 @@ FileFormat deviating(const DriverForm& form) {
     std::size_t count = 0;
     for (scene::FormatPart& part : statement.parts) {
       count += part.numbers;
-      if (part.slot != "*" || !statement.is_of_sphere) continue;
+      if (part.slot != "*" || !statement.has("centre")) continue;
       std::vector<std::string> more = split(part.written, " ");
       more.resize(static_cast<std::size_t>(form.sphere_numbers) - count);
       part.written = fmt::format("{}", fmt::join(more, " "));
@@ -210,9 +214,10 @@ DriverRule driver_rule(std::string_view name, const std::filesystem::path& folde
     if (!is_file || end == name.size()) return {{format}, !variants_of(*format).empty(), true};
     const std::string variant(name.substr(end + 1));
     if (std::ranges::find(format->variants, variant) == format->variants.end()) {
+      const std::string has = scene::joined(format->variants);
       throw std::invalid_argument(fmt::format("{} has no variant {}; it has {}",
                                               name.substr(0, end), variant,
-                                              scene::joined(format->variants)));
+                                              has.empty() ? "none" : has));
     }
     return {{scene::format_named(folder / name.substr(0, end), variant)}, false, true};
   }
@@ -285,7 +290,7 @@ std::vector<DriverForm> known_forms(const DriverForm& first) {
     for (const DriverLight light : {DriverLight::kBehind, DriverLight::kNone}) {
       for (const std::int64_t numbers : first.format->sphere_numbers) {
         for (const FileFormat* format : formats) {
-          if (k < format->extra_lines.size()) {
+          if (k < format->extra_lines.size() && has_count(*format, numbers)) {
             add({format, numbers, extra_of(format->extra_lines[k]), light});
           }
         }
