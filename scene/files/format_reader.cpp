@@ -443,7 +443,7 @@ class FormattedReader {
       if (!(half_angle > 0 && half_angle < std::numbers::pi / 2)) {
         located_.fail(camera_.find(slot)->second.line, keyword_of({slot}),
                       shortest(required({slot}).front()),
-                      "is no angle of view: it must be above 0 and below 180 degrees");
+                      "must be an angle of view above 0 and below 180 degrees");
       }
       const double half = std::tan(half_angle) * std::abs(camera.near);
       const bool is_vertical = angle.is_vertical(camera);

@@ -114,7 +114,7 @@ TEST(ReadFormatted, RefusesWhatWouldBeAnotherScene) {
                       read_any_format(replaced(balls, "angle 45", std::string("angle ") + angle),
                                       "f.x");
                     }),
-                    std::string("f.x:4: angle = ") + angle + ": is no angle of view"));
+                    std::string("f.x:4: angle = ") + angle + ": must be an angle of view"));
   }
   const std::string pbrt =
       "LookAt 0 0 5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [ 45 ]\n"
