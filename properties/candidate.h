@@ -199,6 +199,8 @@ struct ImagePolicy {
   /// right, or if the exact s is at most image_threshold.
   double excused_image_change = kExcusedImageChange;
   double image_threshold = 0;
+  /// Whether a pixel is right, too, if some point of its square shows what it shows.
+  bool any_sample = false;
   /// Larger images are not given to `image`.
   std::int64_t most_image_pixels = std::int64_t{1} << 22;
   /// Images with more pixels across or down are not given to `visible`.

@@ -31,20 +31,22 @@ enum class ExcuseKind {
   kIllConditioned,
   kOutsideDomain,
   kTolerance,
+  kElsewhereInPixel,
 };
 /// A kind's name, and the standing that it gives an answer.
 struct ExcuseInfo {
   std::string_view name;
   Standing standing;
 };
-inline constexpr std::array<ExcuseInfo, 7> kExcuses = {
+inline constexpr std::array<ExcuseInfo, 8> kExcuses = {
     {{"", Standing::kDefect},
      {"undecided", Standing::kUndecided},
      {"witness", Standing::kExcused},
      {"threshold", Standing::kExcused},
      {"ill-conditioned", Standing::kExcused},
      {"outside the domain", Standing::kNotJudged},
-     {"tolerance", Standing::kExcused}}};
+     {"tolerance", Standing::kExcused},
+     {"elsewhere in the pixel", Standing::kExcused}}};
 constexpr const ExcuseInfo& info(ExcuseKind kind) {
   return kExcuses[static_cast<std::size_t>(kind)];
 }

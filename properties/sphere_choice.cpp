@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "reference/account/nearby_choice.h"
 #include "reference/ray_error.h"
 #include "reference/visibility/visibility.h"
 
@@ -70,15 +69,18 @@ Wrong wrong_of(const Choice& choice) {
                           : Wrong::kWrongSphere;
 }
 
-Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
+reference::FirstMet claim_of(Index got) {
   using reference::FirstMet;
-  const FirstMet claim{!got                 ? FirstMet::What::kNothing
-                       : got == kSomeSphere ? FirstMet::What::kSomething
-                                            : FirstMet::What::kSphere,
-                       got.value_or(0)};
-  Excuse found = excuse_of(
-      right_nearby(trial.exact_ray(ray), trial.scene().spheres, trial.neighbourhood(change), claim),
-      change);
+  return {!got                 ? FirstMet::What::kNothing
+          : got == kSomeSphere ? FirstMet::What::kSomething
+                               : FirstMet::What::kSphere,
+          got.value_or(0)};
+}
+
+Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
+  Excuse found = excuse_of(right_nearby(trial.exact_ray(ray), trial.scene().spheres,
+                                        trial.neighbourhood(change), claim_of(got)),
+                           change);
   if (found.standing() == Standing::kExcused) return found;
   const double size = tolerance_of_choice(trial, ray, got);
   return size > 0 ? Excuse{ExcuseKind::kTolerance, size} : found;

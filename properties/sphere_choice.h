@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "properties/trial.h"
+#include "reference/account/nearby_choice.h"
 
 namespace raycheck::properties {
 
@@ -26,6 +27,9 @@ struct Choice {
 };
 bool is_right(const Choice& choice);
 Wrong wrong_of(const Choice& choice);
+
+/// What a choice claims about the first hit of its ray.
+reference::FirstMet claim_of(Index got);
 
 /// The excuse for a wrong sphere: inputs within this relative change for which the ray meets that
 /// sphere first.

@@ -110,6 +110,10 @@ void add_judged(CLI::App& command, ExternalArguments& arguments) {
       ->check(kBound)
       ->needs(candidate)
       ->capture_default_str();
+  command
+      .add_flag("--any-sample", arguments.any_sample,
+                "a renderer's pixel is right if some point of its square shows what it shows")
+      ->needs(candidate);
   add_named(command, "--origin", arguments.origin, scene::kOriginNames,
             "where the rays of a renderer start (default: where the scene says)")
       ->needs(candidate);
@@ -169,6 +173,7 @@ RunOptions run_options(const ExternalArguments& arguments) {
   options.excused_image_change =
       arguments.image_change.value_or(properties::excused_image_change(options.precision));
   options.image_threshold = arguments.threshold;
+  options.any_sample = arguments.any_sample;
   options.origin = arguments.origin;
   return options;
 }

@@ -145,7 +145,7 @@ inline constexpr std::string_view kReportOptions[] = {
 inline constexpr std::string_view kUnitOptions[] = {
     "--filter",    "--cases",   "--seed",       "--rays",      "--source",       "--intersect",
     "--candidate", "--declare", "--read",       "--level",     "--include",      "--timeout",
-    "--memory",    "--bounds",  "--target",     "--precision", "--image-change", "--t-threshold",
+    "--memory",    "--bounds",  "--target",     "--precision", "--image-change", "--t-threshold", "--any-sample",
     "--origin",    "--dialect", "--keep-going", "--max-ulp",   "--method",       "--severity",
     "--quantity",  "--by",      "--steps",      "--searches",  "--pixels",       "--secret-file",
     "--strict",    "--all"};
@@ -195,10 +195,11 @@ struct ExternalArguments {
   scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
   std::optional<double> image_change;                      ///< Empty: the precision's default.
   double threshold = 0;
+  bool any_sample = false;
   std::optional<scene::Origin> origin;  ///< Of renderers; empty: the scene's.
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
-/// The same, and --precision, --image-change, --t-threshold and --origin.
+/// The same, and --precision, --image-change, --t-threshold, --any-sample and --origin.
 void add_judged(CLI::App& command, ExternalArguments& arguments);
 /// Compiles each candidate if necessary, and reads its introduction; `driver` is the form of driver
 /// file that renderers read, found by a dry run if the rule tries several.

@@ -113,6 +113,12 @@ Excuse excuse_of(Trial& trial, const Choice& choice) {
   if (is_within_threshold(trial, choice.ray, candidate.image_threshold)) {
     return {ExcuseKind::kThreshold, candidate.image_threshold};
   }
+  if (candidate.any_sample &&
+      reference::may_be_right_in_pixel(trial.exact_ray(choice.ray), trial.scene().spheres,
+                                       trial.neighbourhood(candidate.excused_image_change),
+                                       claim_of(choice.got))) {
+    return {ExcuseKind::kElsewhereInPixel};
+  }
   return excuse(trial, choice.ray, choice.got, candidate.excused_image_change);
 }
 

@@ -30,4 +30,15 @@ struct FirstMet {
 NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                           const Neighbourhood& around, const FirstMet& claim);
 
+/// Whether a claim may be right at some point of its pixel's square: a ray of the neighbourhood
+/// through a point of it may meet what is claimed. The square of pixel (i, j) is the i-th of w
+/// columns and the j-th of h rows of the window, its sides included; so samples at edges, centres
+/// and corners lie in it.
+/// Shape:  a camera's ray, all spheres of its scene, a claim -> false only if it is proved.
+/// Domain: that of right_nearby(). A given ray, and valid roots that are not all s >= 0: true.
+/// Error:  true also if 1,024 parts of the square do not decide.
+/// Source: interval arithmetic over parts of the square, each divided in four.
+bool may_be_right_in_pixel(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                           const Neighbourhood& around, const FirstMet& claim);
+
 }  // namespace raycheck::reference

@@ -140,14 +140,20 @@ struct Line {
   bool is_unit;      ///< The ray's direction is g/|g| (a camera's rays), not g.
 };
 
-template <class K, class Lift>
-Line<K> camera_line(const Lift& lift, const CameraNumbers<K>& numbers, const scene::Camera& camera,
-                    const scene::Conventions& conventions, const scene::Pixel& pixel) {
-  const auto position = plane_position(lift, numbers.inputs, camera, conventions, pixel);
+template <class K>
+Line<K> line_through(const CameraNumbers<K>& numbers, const PlanePosition<typename K::FT>& position,
+                     scene::Origin origin) {
   const typename K::FT& n = numbers.inputs.near;
   return {numbers.inputs.eye, to_pixel_point<K>(n, position, numbers.axes),
           n * n + position.alpha * position.alpha + position.beta * position.beta,
-          conventions.origin == scene::Origin::kPixel, true};
+          origin == scene::Origin::kPixel, true};
+}
+
+template <class K, class Lift>
+Line<K> camera_line(const Lift& lift, const CameraNumbers<K>& numbers, const scene::Camera& camera,
+                    const scene::Conventions& conventions, const scene::Pixel& pixel) {
+  return line_through(numbers, plane_position(lift, numbers.inputs, camera, conventions, pixel),
+                      conventions.origin);
 }
 
 template <class K>

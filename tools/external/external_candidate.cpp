@@ -304,6 +304,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   candidate.level = properties::Level::kOrdinary;
   candidate.excused_image_change = external.renderer->excused_change;
   candidate.image_threshold = external.renderer->threshold;
+  candidate.any_sample = external.renderer->any_sample;
   candidate.interface = external.introduction.declared.interface;
   if (const scene::FileFormat* const format = external.renderer->driver.format;
       format->is_of_programs) {

@@ -39,6 +39,7 @@ std::string arguments_of(const Renderer& renderer, scene::Precision precision) {
   if (renderer.threshold != usual.threshold) {
     words += fmt::format(" --t-threshold {}", renderer.threshold);
   }
+  if (renderer.any_sample) words += " --any-sample";
   if (renderer.origin) words += fmt::format(" --origin {}", name(*renderer.origin));
   return words;
 }

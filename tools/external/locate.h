@@ -19,6 +19,7 @@ struct RunOptions {
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
+  bool any_sample = false;
   /// The origin of their rays; empty: as the scene says.
   std::optional<scene::Origin> origin = {};
   /// Folders that it may read besides its own folder.

@@ -335,6 +335,7 @@ ClassGrade try_rubric(const GradeOptions& options, const RunControl& control) {
   properties::Candidate renderer;
   renderer.name = "pictures";
   renderer.excused_image_change = tried.rubric.image_change;
+  renderer.any_sample = tried.rubric.any_sample;
   renderer.image = properties::exact_image;
   try_on(&Item::pictures, renderer, true);
   tried.interrupted = control.interrupted();

@@ -271,10 +271,24 @@ ReadPicture read_png(std::string_view bytes, std::int64_t most,
   if (!is_wanted || picture.width > most / picture.height) png_image_free(&image);
   require_size(picture.width, picture.height, most);
   if (!is_wanted) return picture;
-  image.format = PNG_FORMAT_RGB;
-  picture.pixels.resize(static_cast<std::size_t>(picture.width * picture.height));
-  const png_color background = {0, 0, 0};
-  require(png_image_finish_read(&image, &background, picture.pixels.data(), 0, nullptr));
+  image.format = PNG_FORMAT_RGBA;
+  struct Layered {
+    Colour colour;
+    std::uint8_t opacity;
+  };
+  std::vector<Layered> read(static_cast<std::size_t>(picture.width * picture.height));
+  require(png_image_finish_read(&image, nullptr, read.data(), 0, nullptr));
+  const bool some_transparent =
+      std::ranges::any_of(read, [](const Layered& one) { return one.opacity == 0; });
+  picture.pixels.reserve(read.size());
+  for (const auto& [colour, opacity] : read) {
+    const auto on_black = [&](std::uint8_t channel) {
+      return static_cast<std::uint8_t>((channel * opacity + 127) / 255);
+    };
+    Colour shown = {on_black(colour.red), on_black(colour.green), on_black(colour.blue)};
+    if (some_transparent && opacity != 0 && shown == Colour{}) shown = {1, 1, 1};
+    picture.pixels.push_back(shown);
+  }
   return picture;
 }
 

@@ -231,6 +231,8 @@ std::string excuse_text(const Discrepancy& d) {
     case ExcuseKind::kTolerance:
       return fmt::format("within the declared tolerance {:g}, where either answer is right",
                          excuse.amount);
+    case ExcuseKind::kElsewhereInPixel:
+      return "some point of the pixel's square may show it";
     case ExcuseKind::kOutsideDomain:
       return "a length of the scene lies outside the judged domain";
     default:

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "reference/account/internal/answer_decider.h"
 #include "reference/internal/ray_impl.h"
@@ -86,28 +88,33 @@ bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
   return gap.inf() > slack.sup() && (line.a * apart * apart).inf() > reach.sup();
 }
 
-Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> spheres,
-                      const Neighbourhood& around, const FirstMet& claim) {
-  const IntervalGuard guard;
+namespace {
+
+/// The contenders among the spheres of these indices, for the rays that an interval line holds.
+Contenders contenders_on(const Line<IntervalKernel>& line, std::span<const scene::Sphere> spheres,
+                         std::span<const std::size_t> among, const Neighbourhood& around,
+                         const FirstMet& claim) {
   const ChangedIntervalLift lift(around.relative_change);
-  const auto line = line_of(lift, ray.source());
   std::vector<PossibleMeeting> meetings;
-  meetings.reserve(spheres.size());
+  meetings.reserve(among.size());
   // A sphere behind the first certain hit is not met first.
   double end = std::numeric_limits<double>::infinity();
+  PossibleMeeting favourite;
   const bool has_favourite = claim.what == FirstMet::What::kSphere;
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
+  for (const std::size_t k : among) {
     const auto sphere = lift_sphere(lift, spheres[k]);
     meetings.push_back(possible_meeting(line_and_sphere(line, sphere), around.root));
-    if (!meetings[k].may_miss && !(has_favourite && k == claim.sphere)) {
-      end = std::min(end, meetings[k].latest);
+    if (has_favourite && k == claim.sphere) {
+      favourite = meetings.back();
+    } else if (!meetings.back().may_miss) {
+      end = std::min(end, meetings.back().latest);
     }
   }
   const bool is_hit_throughout = end < std::numeric_limits<double>::infinity();
   Contenders result;
-  for (std::size_t k = 0; k < meetings.size(); ++k) {
-    const bool is_too_late = has_favourite && meetings[k].earliest > meetings[claim.sphere].latest;
-    if (meetings[k].may_hit && !is_too_late) result.spheres.push_back(k);
+  for (std::size_t n = 0; n < meetings.size(); ++n) {
+    const bool is_too_late = has_favourite && meetings[n].earliest > favourite.latest;
+    if (meetings[n].may_hit && !is_too_late) result.spheres.push_back(among[n]);
   }
   switch (claim.what) {
     case FirstMet::What::kNothing:
@@ -119,12 +126,74 @@ Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> sphere
       if (is_hit_throughout) result.is_right = true;
       break;
     default: {
-      const PossibleMeeting& favourite = meetings[claim.sphere];
       if (!favourite.may_hit || favourite.earliest > end) result.is_right = false;
       if (result.spheres.size() == 1 && !favourite.may_miss) result.is_right = true;
     }
   }
   return result;
+}
+
+/// A part of a pixel's square, in shares of its sides, counted as the image's columns and rows are.
+struct SquarePart {
+  double x = 0, y = 0, side = 1;
+};
+
+/// The most parts of a square that are examined.
+constexpr std::size_t kMostSquareParts = 1024;
+
+std::vector<std::size_t> all_of(std::span<const scene::Sphere> spheres) {
+  std::vector<std::size_t> indices(spheres.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
+}  // namespace
+
+Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                      const Neighbourhood& around, const FirstMet& claim) {
+  const IntervalGuard guard;
+  const ChangedIntervalLift lift(around.relative_change);
+  return contenders_on(line_of(lift, ray.source()), spheres, all_of(spheres), around, claim);
+}
+
+bool may_be_right_in_pixel(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                           const Neighbourhood& around, const FirstMet& claim) {
+  const auto& [of_camera, pixel, given] = ray.source();
+  if (of_camera == nullptr || !around.valid.is_usual()) return true;
+  const IntervalGuard guard;
+  const scene::Camera& camera = of_camera->camera;
+  const ChangedIntervalLift lift(around.relative_change);
+  const auto numbers = camera_numbers(lift, camera);
+  const auto& inputs = numbers.inputs;
+  const auto coordinate = [](const Interval& low, const Interval& high, std::int64_t index,
+                             double share, double side, std::int64_t count) {
+    const Interval from = Interval(static_cast<double>(index)) + Interval(share, share + side);
+    return low + from / Interval(static_cast<double>(count)) * (high - low);
+  };
+  const std::int64_t row =
+      of_camera->conventions.rows == scene::Rows::kTopFirst ? camera.height - 1 - pixel.j : pixel.j;
+  struct Question {
+    SquarePart part;
+    std::vector<std::size_t> among;
+  };
+  std::vector<Question> open = {{{}, all_of(spheres)}};
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const auto [x, y, side] = open[next].part;
+    const PlanePosition<Interval> at = {
+        coordinate(inputs.left, inputs.right, pixel.i, x, side, camera.width),
+        coordinate(inputs.bottom, inputs.top, row, y, side, camera.height)};
+    const Contenders found = contenders_on(line_through(numbers, at, of_camera->conventions.origin),
+                                           spheres, open[next].among, around, claim);
+    if (found.is_right == false) continue;
+    if (found.is_right == true || open.size() + 4 > kMostSquareParts) return true;
+    const double half = side / 2;
+    for (const double left : {x, x + half}) {
+      for (const double bottom : {y, y + half}) {
+        open.push_back({{left, bottom, half}, found.spheres});
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace raycheck::reference

@@ -1,5 +1,7 @@
 #include "tools/external/protocol/protocol.h"
 
+#include <png.h>
+
 #include <algorithm>
 
 #include "tests/testing.h"
@@ -172,6 +174,24 @@ TEST(PictureReader, ReadsPfmsOfBothByteOrdersFromTheBottom) {
   EXPECT_EQ(parse_picture("Pf\n2 2\n-1\n" + little, 100).pixels, grey.pixels);
   const auto colour = parse_picture("PF 1 1 -3\n" + little, 100);
   EXPECT_EQ(colour.pixels, (std::vector<Colour>{{255, 0, 128}}));
+}
+
+TEST(PictureReader, TellsTransparentPixelsFromBlackOnes) {
+  const auto shown = [](std::vector<std::uint8_t> pixels) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = 3;
+    image.height = 1;
+    image.format = PNG_FORMAT_RGBA;
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+    png_alloc_size_t size = bytes.size();
+    png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr);
+    return parse_picture(std::string_view(bytes).substr(0, size), 100).pixels;
+  };
+  EXPECT_EQ(shown({9, 9, 9, 0, 0, 0, 0, 255, 200, 0, 100, 255}),
+            (std::vector<Colour>{{}, {1, 1, 1}, {200, 0, 100}}));
+  EXPECT_EQ(shown({9, 9, 9, 255, 0, 0, 0, 255, 200, 0, 100, 51}),
+            (std::vector<Colour>{{9, 9, 9}, {}, {40, 0, 20}}));
 }
 
 TEST(PictureReader, ReadsOnlyTheHeaderIfTheSizeIsWrong) {

@@ -18,14 +18,15 @@ std::string renderer(const std::string& mistake = "") {
 /// A rubric for renderers of a format, with one item.
 std::string rubric_of(const Grading& grading, const std::string& format,
                       const std::string& arguments = "{scene} {image}",
-                      const std::string& conventions = "") {
+                      const std::string& conventions = "", int cases = 2) {
   return grading.write("rubric.toml",
                        "[driver]\npreset = \"" + format + "\"\n" + conventions +
                            "[[form]]\nhas = \"rt.py\"\ncandidate = \"renderer:python3 rt.py " +
                            arguments + "\"\n" +
                            item_of("pictures", "points = 10",
                                    "[item.pictures]\njudge = \"spheres\"\n"
-                                   "sources = [\"course\"]\ncases = 2\n"));
+                                   "sources = [\"course\"]\ncases = " +
+                                       std::to_string(cases) + "\n"));
 }
 
 TEST(SceneFormats, of_scenes_are_known_by_the_ending_of_the_name) {
@@ -130,6 +131,36 @@ TEST(SceneFormats, may_leave_samples_open) {
   EXPECT_EQ(grading.result("centres")["score"], 10);
   EXPECT_EQ(grading.result("corners")["score"], 10);
   EXPECT_EQ(grading.result("mixed")["score"], 0);
+}
+
+/// Any point of a pixel's square may be its sample, and no point beyond.
+TEST(SceneFormats, may_have_a_sample_anywhere_in_a_pixel) {
+  const Grading grading;
+  const std::string rubric =
+      rubric_of(grading, "nff", "{scene} {image}", "[conventions]\nsamples = \"any\"\n", 12);
+  const auto sampled = [&](const std::string& name, const std::string& across,
+                           const std::string& down) {
+    const std::string centres = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py");
+    const std::string text = replaced(replaced(centres, "(i + 0.5)", "(i + " + across + ")"),
+                                      "(j + 0.5)", "(j + " + down + ")");
+    return grading.hand_in(name, "rt.py",
+                           replaced(text, "import math", "import math\nimport random"));
+  };
+  grading.grade(
+      rubric,
+      {sampled("mixed", "0", "0.5"), sampled("last", "1", "1"),
+       sampled("random", "random.random()", "random.random()"), sampled("beyond", "1.25", "0.5"),
+       sampled("above", "0.5", "-0.5"),
+       grading.hand_in("far", "rt.py",
+                       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
+                                "s < nearest", "s > (0 if nearest == math.inf else nearest)"))},
+      "out", kLimitsOnly);
+  for (const char* right : {"mixed", "last", "random"}) {
+    EXPECT_EQ(grading.result(right)["score"], 10) << right;
+  }
+  for (const char* wrong : {"beyond", "above", "far"}) {
+    EXPECT_EQ(grading.result(wrong)["score"], 0) << wrong;
+  }
 }
 
 /// A renderer that takes only the scene, and chooses the picture's name.

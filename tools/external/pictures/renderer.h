@@ -40,6 +40,7 @@ struct Renderer {
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
   double threshold = 0;  ///< Wrong pixels with an exact s of at most this are excused.
+  bool any_sample = false;  ///< Whether any point of a pixel's square may be its sample.
   std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
   /// The number of time-outs after which it is no longer started.
   int most_timeouts = kMostTimeouts;

@@ -362,6 +362,7 @@ RunOptions run_options(const Rubric& rubric, const Layers& layers) {
   options.bounds = rubric.bounds;
   options.excused_image_change = rubric.image_change;
   options.image_threshold = rubric.t_threshold;
+  options.any_sample = rubric.any_sample;
   return options;
 }
 

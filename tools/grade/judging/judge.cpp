@@ -277,7 +277,9 @@ std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std:
   }
   if (rubric.samples_either) {
     const auto of_rows = std::exchange(all, {});
+    const bool is_any = rubric.any_sample && judged.pictures;
     for (const Samples samples : {Samples::kEdges, Samples::kCentres, Samples::kCorners}) {
+      if (is_any && samples != Samples::kCentres) continue;
       for (const properties::DeclaredConventions& one : of_rows) {
         all.push_back(one);
         all.back().samples = samples;

@@ -72,9 +72,12 @@ class RubricReader {
       const Table conventions = fields_.table(*field);
       std::vector<std::string_view> either;
       for (const auto& [key, is_either] :
-           {std::pair("rows", &rubric.rows_either), std::pair("samples", &rubric.samples_either)}) {
+           {std::pair(std::string_view("rows"), &rubric.rows_either),
+            std::pair(std::string_view("samples"), &rubric.samples_either)}) {
         const auto choice = fields_.optional(conventions, key);
-        *is_either = choice && choice->node.value<std::string_view>() == "either";
+        const auto value = choice ? choice->node.value<std::string_view>() : std::nullopt;
+        if (key == "samples" && value == "any") rubric.any_sample = true;
+        *is_either = value == "either" || (key == "samples" && rubric.any_sample);
         if (*is_either) either.emplace_back(key);
       }
       scene::read_conventions(fields_, conventions, rubric.conventions, either);

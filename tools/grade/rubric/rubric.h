@@ -139,6 +139,9 @@ struct Rubric {
   bool rows_either = false;  ///< Whether either image row may be j = 0 (rows = "either").
   /// Whether pixels may be sampled at edges, centres or corners (samples = "either").
   bool samples_either = false;
+  /// Whether a picture's pixel is right if some point of its square shows what it shows (samples =
+  /// "any"); functions are then judged as with "either".
+  bool any_sample = false;
   double seconds = 120;      ///< For all questions to a submission.
   double reply_seconds = 5;  ///< For one reply, or one picture.
   double build_seconds = 120;
