@@ -163,6 +163,27 @@ TEST(SceneFormats, may_have_a_sample_anywhere_in_a_pixel) {
   }
 }
 
+/// Two sizes of one scene have the same file if the size is only among the arguments.
+TEST(SceneFormats, may_leave_the_size_to_the_arguments) {
+  const Grading grading;
+  const std::string nff = contents(RAYCHECK_SOURCE_DIR "/scene/formats/nff.toml");
+  grading.write("ours.toml", replaced(nff, "resolution {width} {height}\n", "") +
+                                 "[default]\nwidth = 64\nheight = 48\n");
+  for (const std::string size : {"20 15", "40 30"}) {
+    grading.write("balls" + size.substr(0, 2) + ".nff", replaced(kBalls, "64 48", size));
+  }
+  const std::string rubric =
+      replaced(contents(rubric_of(grading, "ours.toml", "{scene} {image} {width} {height}")),
+               "sources = [\"course\"]\ncases = 2", "scenes = [\"balls20.nff\", \"balls40.nff\"]");
+  const std::string text =
+      replaced(replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
+                        "([\"\"] + sys.argv[1:])[-3:]", "\"\", *sys.argv[1:3]"),
+               "camera[\"resolution\"]", "sys.argv[3:]");
+  grading.grade(grading.write("sizes.toml", rubric), {grading.hand_in("right", "rt.py", text)},
+                "out", kLimitsOnly);
+  EXPECT_EQ(grading.result("right")["score"], 10);
+}
+
 /// A renderer that takes only the scene, and chooses the picture's name.
 TEST(SceneFormats, may_be_all_that_a_renderer_is_told) {
   const Grading grading;

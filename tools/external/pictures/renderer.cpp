@@ -259,8 +259,8 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
                      int nth) {
   const std::string request =
-      fmt::format("{}within {} s\n{}", nth > 1 ? fmt::format("{}: ", nth) : "",
-                  renderer.program.limits.seconds, driver);
+      fmt::format("{}{} x {} within {} s\n{}", nth > 1 ? fmt::format("{}: ", nth) : "", size.width,
+                  size.height, renderer.program.limits.seconds, driver);
   SpentTime& spent = *renderer.program.spent;
   if (const auto known = renderer.answers->find(request)) {
     spent.add(known->seconds);
