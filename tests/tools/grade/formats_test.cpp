@@ -172,15 +172,16 @@ TEST(SceneFormats, may_leave_the_size_to_the_arguments) {
   for (const std::string size : {"20 15", "40 30"}) {
     grading.write("balls" + size.substr(0, 2) + ".nff", replaced(kBalls, "64 48", size));
   }
-  const std::string rubric =
-      replaced(contents(rubric_of(grading, "ours.toml", "{scene} {image} {width} {height}")),
-               "sources = [\"course\"]\ncases = 2", "scenes = [\"balls20.nff\", \"balls40.nff\"]");
-  const std::string text =
-      replaced(replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
-                        "([\"\"] + sys.argv[1:])[-3:]", "\"\", *sys.argv[1:3]"),
-               "camera[\"resolution\"]", "sys.argv[3:]");
-  grading.grade(grading.write("sizes.toml", rubric), {grading.hand_in("right", "rt.py", text)},
-                "out", kLimitsOnly);
+  const std::string rubric = rubric_of(grading, "ours.toml", "{scene} {image} {width} {height}");
+  const std::string sizes = grading.write(
+      "sizes.toml",
+      replaced(contents(rubric), "sources = [\"course\"]\ncases = 2",
+               "scenes = [\"balls20.nff\", \"balls40.nff\"]\nvary = []"));
+  const std::string text = replaced(
+      replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
+               "([\"\"] + sys.argv[1:])[-3:]", "\"\", *sys.argv[1:3]"),
+      "camera[\"resolution\"]", "sys.argv[3:]");
+  grading.grade(sizes, {grading.hand_in("right", "rt.py", text)}, "out", kLimitsOnly);
   EXPECT_EQ(grading.result("right")["score"], 10);
 }
 
