@@ -182,6 +182,20 @@ TEST_F(GradeCommand, fails_with_2_and_grades_nothing) {
   EXPECT_EQ(contents(taken), "a file");
 }
 
+TEST_F(GradeCommand, names_a_fitting_file_that_is_too_deep) {
+  const std::string deep = grading.write("submissions/deep/notes.txt", "see code\n");
+  grading.write("submissions/deep/code/rays.java", "class Rays {}\n");
+  grading.grade(grading.write("java.toml",
+                              "[[form]]\nhas = \"*.java\"\nbuild = \"javac *.java\"\n"
+                              "candidate = \"command:java Rays\"\n" +
+                                  kNearestRoot),
+                {grading.path("submissions/deep")});
+  EXPECT_EQ(
+      grading.result("deep")["refused"]["why"],
+      "it has none of the required files: *.java (only in a folder: code/rays.java; has = \"*\" "
+      "accepts every submission)");
+}
+
 TEST_F(GradeCommand, grades_other_submissions_if_one_fits_no_form) {
   const std::string other = grading.write("submissions/other/main.rb", "puts 1\n");
   const std::string nothing = grading.path("submissions/nothing");

@@ -109,9 +109,21 @@ FittingForm form_of(const fs::path& folder, const Rubric& rubric) {
     boost::replace_all(program.what, "{file}", word);
     return {form, *file, std::move(program)};
   }
-  const std::string asked = scene::joined(rubric.forms, ", ", &Form::has);
-  refuse(asked.empty() ? "the rubric has no [[form]]"
-                       : fmt::format("it has none of the required files: {}", asked));
+  if (rubric.forms.empty()) refuse("the rubric has no [[form]]");
+  std::string why =
+      "it has none of the required files: " + scene::joined(rubric.forms, ", ", &Form::has);
+  std::set<std::string> deeper;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (std::ranges::any_of(rubric.forms, [&](const Form& form) { return fits(form, name); })) {
+      deeper.insert(fs::relative(entry.path(), folder).string());
+    }
+  }
+  if (!deeper.empty()) {
+    why += fmt::format(" (only in a folder: {}; has = \"*\" accepts every submission)",
+                       *deeper.begin());
+  }
+  refuse(why);
 }
 
 /// A digest of everything that a program's answers depend on, except the requests.
