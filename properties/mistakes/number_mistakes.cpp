@@ -170,6 +170,16 @@ std::vector<BoundChange> bound_changes() {
          const auto pixels = static_cast<double>(its.width) * static_cast<double>(its.height);
          centre(its, half_width(its), half_width(its) / pixels);
        }},
+      {"height/width is divided as integers: the height of the image plane is its width times that",
+       [](Camera& its) {
+         const auto whole = static_cast<double>(its.height / its.width);
+         centre(its, half_width(its), half_width(its) * whole);
+       }},
+      {"width/height is divided as integers: the height of a pixel is its width times that",
+       [](Camera& its) {
+         const auto whole = static_cast<double>(its.width / its.height);
+         centre(its, half_width(its), half_width(its) / aspect(its) * whole);
+       }},
       {"the bounds of rows are those of columns",
        [](Camera& its) { its.bottom = its.left, its.top = its.right; }},
       {"the height is corrected for an aspect ratio that the bounds already contain",
