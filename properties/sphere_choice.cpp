@@ -8,6 +8,15 @@
 namespace raycheck::properties {
 namespace {
 
+/// What a choice claims about the first hit of its ray.
+reference::FirstMet claim_of(Index got) {
+  using reference::FirstMet;
+  return {!got                 ? FirstMet::What::kNothing
+          : got == kSomeSphere ? FirstMet::What::kSomething
+                               : FirstMet::What::kSphere,
+          got.value_or(0)};
+}
+
 /// A declared tolerance that allows a choice, or 0: it is within one, or it is first among the
 /// spheres that are not.
 double tolerance_of_choice(Trial& trial, std::size_t ray, Index got) {
@@ -69,12 +78,11 @@ Wrong wrong_of(const Choice& choice) {
                           : Wrong::kWrongSphere;
 }
 
-reference::FirstMet claim_of(Index got) {
-  using reference::FirstMet;
-  return {!got                 ? FirstMet::What::kNothing
-          : got == kSomeSphere ? FirstMet::What::kSomething
-                               : FirstMet::What::kSphere,
-          got.value_or(0)};
+bool may_be_elsewhere_in_pixel(const ExactRay& ray, std::span<const Sphere> spheres,
+                               const Conventions& conventions, Index got, double change) {
+  return reference::may_be_right_in_pixel(
+      ray, spheres, {conventions.root, conventions.tangent, change, conventions.valid},
+      claim_of(got));
 }
 
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {

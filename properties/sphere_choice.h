@@ -28,8 +28,10 @@ struct Choice {
 bool is_right(const Choice& choice);
 Wrong wrong_of(const Choice& choice);
 
-/// What a choice claims about the first hit of its ray.
-reference::FirstMet claim_of(Index got);
+/// Whether some point of a pixel's square may show what the picture shows there, for inputs within
+/// a relative change (reference::may_be_right_in_pixel).
+bool may_be_elsewhere_in_pixel(const ExactRay& ray, std::span<const Sphere> spheres,
+                               const Conventions& conventions, Index got, double change);
 
 /// The excuse for a wrong sphere: inputs within this relative change for which the ray meets that
 /// sphere first.

@@ -114,9 +114,8 @@ Excuse excuse_of(Trial& trial, const Choice& choice) {
     return {ExcuseKind::kThreshold, candidate.image_threshold};
   }
   if (candidate.any_sample &&
-      reference::may_be_right_in_pixel(trial.exact_ray(choice.ray), trial.scene().spheres,
-                                       trial.neighbourhood(candidate.excused_image_change),
-                                       claim_of(choice.got))) {
+      may_be_elsewhere_in_pixel(trial.exact_ray(choice.ray), trial.scene().spheres,
+                                trial.conventions(), choice.got, candidate.excused_image_change)) {
     return {ExcuseKind::kElsewhereInPixel};
   }
   return excuse(trial, choice.ray, choice.got, candidate.excused_image_change);

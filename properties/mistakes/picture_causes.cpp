@@ -144,8 +144,10 @@ Causes picture_causes(std::span<const ShownPicture> shown) {
   causes.kind = std::all_of(pictures.begin(), pictures.end(),
                             [](const Evidence& one) { return is_right(one) || one.is_black(); })
                     ? CauseKind::kBlack
+                : std::ranges::all_of(pictures, &Evidence::may_be_elsewhere_in_pixels)
+                    ? CauseKind::kElsewhereInPixels
                     : CauseKind::kUnknown;
-  causes.explained = causes.kind == CauseKind::kBlack ? causes.errors : 0;
+  if (causes.kind == CauseKind::kUnknown) causes.explained = 0;
   return causes;
 }
 
@@ -177,6 +179,10 @@ std::vector<Explanation> explanations(const Causes& causes) {
       break;
     case CauseKind::kImprecise:
       say(roundings);
+      break;
+    case CauseKind::kElsewhereInPixels:
+      say("pixels are sampled elsewhere in their squares: each wrong pixel may show what another "
+          "point of its square does");
       break;
     case CauseKind::kUnknown:
       if (causes.show_too_little) say(std::string(kTooLittleShown));

@@ -23,7 +23,9 @@ enum class CauseKind {
   kBackground,
   kExplained,  ///< By `alternatives`, with or without roundings.
   kImprecise,  ///< Only by roundings.
-  kUnknown,    ///< No explanation explains everything, or too many do.
+  /// All wrong pixels may show what other points of their squares do.
+  kElsewhereInPixels,
+  kUnknown,  ///< No explanation explains everything, or too many do.
 };
 
 /// A formula whose roundings cause wrong pixels, and the least distance, in radii, of these.

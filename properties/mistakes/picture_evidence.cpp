@@ -8,6 +8,7 @@
 #include "properties/failures.h"
 #include "properties/mistakes/picture_causes.h"
 #include "properties/mistakes/shown_picture.h"
+#include "properties/sphere_choice.h"
 #include "reference/visibility/visibility.h"
 #include "scene/plan/plan.h"
 
@@ -106,6 +107,20 @@ std::uint64_t count_otherwise(const Pictures& pictures, const Fault& fault) {
     count += count_otherwise(shown.image, predicted(fault, shown.scene));
   }
   return count;
+}
+
+bool Evidence::may_be_elsewhere_in_pixels() const {
+  const Scene& scene = picture_->scene;
+  const reference::ExactCamera camera(*scene.camera, scene.conventions);
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    const auto& shown = picture_->image[k];
+    if (!is_as(shown, truth_[k]) &&
+        !may_be_elsewhere_in_pixel(reference::ExactRay(camera, pixels_[k]), scene.spheres,
+                                   scene.conventions, shown, kExcusedImageChange)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 Evidence::Evidence(const ShownPicture& picture)

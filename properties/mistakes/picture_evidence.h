@@ -31,6 +31,9 @@ class Evidence {
   /// Whether no pixel is black, and most pixels have a colour of no sphere, or no pixel is wrong.
   bool has_background() const;
 
+  /// Whether each wrong pixel may show what some point of its square does.
+  bool may_be_elsewhere_in_pixels() const;
+
   /// Pixels spread evenly over the picture; all of them if it is small.
   std::vector<Pixel> some_pixels() const;
 

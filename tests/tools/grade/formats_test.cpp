@@ -126,11 +126,17 @@ TEST(SceneFormats, may_leave_samples_open) {
   grading.grade(
       rubric,
       {grading.hand_in("centres", "rt.py", centres), grading.hand_in("corners", "rt.py", corners),
-       grading.hand_in("mixed", "rt.py", mixed)},
+       grading.hand_in("mixed", "rt.py", mixed),
+       grading.hand_in("random", "rt.py",
+                       replaced(replaced(centres, "(i + 0.5)", "(i + random.random())"),
+                                "import math", "import math\nimport random\nrandom.seed(1)"))},
       "out", kLimitsOnly);
   EXPECT_EQ(grading.result("centres")["score"], 10);
   EXPECT_EQ(grading.result("corners")["score"], 10);
   EXPECT_EQ(grading.result("mixed")["score"], 0);
+  EXPECT_EQ(grading.result("random")["score"], 0);
+  expect_parts(grading.result("random")["items"][0]["mistakes"].dump(),
+               {"pixels are sampled elsewhere in their squares"});
 }
 
 /// Any point of a pixel's square may be its sample, and no point beyond.
@@ -143,8 +149,8 @@ TEST(SceneFormats, may_have_a_sample_anywhere_in_a_pixel) {
     const std::string centres = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py");
     const std::string text = replaced(replaced(centres, "(i + 0.5)", "(i + " + across + ")"),
                                       "(j + 0.5)", "(j + " + down + ")");
-    return grading.hand_in(name, "rt.py",
-                           replaced(text, "import math", "import math\nimport random"));
+    return grading.hand_in(
+        name, "rt.py", replaced(text, "import math", "import math\nimport random\nrandom.seed(1)"));
   };
   grading.grade(
       rubric,
@@ -174,13 +180,12 @@ TEST(SceneFormats, may_leave_the_size_to_the_arguments) {
   }
   const std::string rubric = rubric_of(grading, "ours.toml", "{scene} {image} {width} {height}");
   const std::string sizes = grading.write(
-      "sizes.toml",
-      replaced(contents(rubric), "sources = [\"course\"]\ncases = 2",
-               "scenes = [\"balls20.nff\", \"balls40.nff\"]\nvary = []"));
-  const std::string text = replaced(
-      replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
-               "([\"\"] + sys.argv[1:])[-3:]", "\"\", *sys.argv[1:3]"),
-      "camera[\"resolution\"]", "sys.argv[3:]");
+      "sizes.toml", replaced(contents(rubric), "sources = [\"course\"]\ncases = 2",
+                             "scenes = [\"balls20.nff\", \"balls40.nff\"]\nvary = []"));
+  const std::string text =
+      replaced(replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/nff.py"),
+                        "([\"\"] + sys.argv[1:])[-3:]", "\"\", *sys.argv[1:3]"),
+               "camera[\"resolution\"]", "sys.argv[3:]");
   grading.grade(sizes, {grading.hand_in("right", "rt.py", text)}, "out", kLimitsOnly);
   EXPECT_EQ(grading.result("right")["score"], 10);
 }
