@@ -186,7 +186,7 @@ RunOptions run_options(const ExternalArguments& arguments) {
   try {
     if (!arguments.depth.empty()) options.depth = depth_form(arguments.depth);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("--depth: {}", error.what()));
+    throw std::invalid_argument(fmt::format("--depth '{}': {}", arguments.depth, error.what()));
   }
   return options;
 }

@@ -68,23 +68,18 @@ TEST(Depth, is_read_only_from_floats) {
     const Outcome outcome =
         check(kProbeScene, depth_of("z"), "--depth \"" + std::string(wrong) + '"');
     EXPECT_EQ(outcome.exit_code, 2) << wrong << outcome.err;
-    expect_parts(outcome.err, {"--depth: '" + std::string(wrong) +
-                               "' must be s or distance or z or image-plane, and may be followed "
+    expect_parts(outcome.err, {"--depth '" + std::string(wrong) +
+                               "': must be s or distance or z or image-plane, and may be followed "
                                "by 'miss VALUE', as in 'z miss 0'"});
   }
 }
 
-TEST(Depth, is_judged_on_random_cases_and_replayed) {
-  const auto tried = [](const std::string& kind) {
-    return json::parse(run("properties --filter image --source course --cases 20 --format json "
-                           "--depth \"distance\" --candidate '" +
-                           depth_of(kind) + "'")
-                           .out)["campaigns"][1];
-  };
-  EXPECT_TRUE(tried("distance")["replay"].is_null());
-  const json wrong = tried("z");
-  EXPECT_EQ(wrong["finding"], "broken");
-  expect_parts(wrong["replay"].dump(), {"--depth"});
+TEST(Depth, is_judged_on_random_cases) {
+  const json campaign = printed_json(
+      "properties --filter image --source course --cases 20 --depth distance --candidate '" +
+      depth_of("distance") + "'")["campaigns"][1];
+  EXPECT_EQ(campaign["finding"], "holds");
+  EXPECT_GT(quantity_of(campaign["quantities"], "depth")["cases"], 10);
 }
 
 }  // namespace

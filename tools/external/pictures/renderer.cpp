@@ -234,7 +234,7 @@ DepthForm depth_form(std::string_view text) {
   const auto number = scene::parse_number(miss);
   if (found == names.end() || !number || (has_miss && word != "miss") || (words >> more)) {
     throw std::invalid_argument(
-        fmt::format("'{}' must be {}, and may be followed by 'miss VALUE', as in 'z miss 0'", text,
+        fmt::format("must be {}, and may be followed by 'miss VALUE', as in 'z miss 0'",
                     scene::joined(names, " or ")));
   }
   return {static_cast<properties::Depth>(found - names.begin()), static_cast<float>(*number)};
