@@ -228,7 +228,7 @@ DepthForm depth_form(std::string_view text) {
   std::string name, word, miss = "inf", more;
   words >> name;
   const bool has_miss = static_cast<bool>(words >> word);
-  if (has_miss) words >> miss;
+  if (has_miss && !(words >> miss)) miss.clear();
   const auto& names = properties::kDepthNames;
   const auto* const found = std::ranges::find(names, name);
   const auto number = scene::parse_number(miss);
