@@ -78,6 +78,17 @@ using ImageAnswer = std::vector<std::optional<std::size_t>>;
 inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max();
 inline constexpr std::size_t kUnclear = kSomeSphere - 1;
 
+/// What the numbers of a depth picture are: s along the unit direction of the ray from its origin;
+/// the distance of the hit from the eye; its part along the view axis; or that in multiples of
+/// |near|, which is s along P - E.
+enum class Depth { kS, kDistance, kZ, kImagePlane };
+inline constexpr std::array<std::string_view, 4> kDepthNames = {"s", "distance", "z",
+                                                                "image-plane"};
+
+/// The number of each pixel of a depth picture, row after row; without a meaning where the
+/// ImageAnswer shows no sphere.
+using DepthAnswer = std::vector<float>;
+
 /// The relative change of a scene that a renderer's image may show without a defect: the scene's
 /// text and the renderer's `float`s or thresholds may lose this much precision.
 inline constexpr double kExcusedImageChange = 1e-6;
@@ -131,6 +142,8 @@ struct Functions {
       visible;
   /// The whole image of a scene with a camera.
   CandidateFunction<ImageAnswer(const Scene&, const Conventions&)> image;
+  /// The numbers of that image if it is a depth picture (ImagePolicy::depth).
+  CandidateFunction<DepthAnswer(const Scene&, const Conventions&)> depths;
   /// Announces that the next questions are a part of a batch that failed, and get this share, in
   /// (0, 1], of the time limit for a reply. Empty if the candidate has no time limit.
   std::function<void(double share)> allow;
@@ -201,6 +214,7 @@ struct ImagePolicy {
   double image_threshold = 0;
   /// Whether a pixel is right, too, if some point of its square shows what it shows.
   bool any_sample = false;
+  Depth depth = Depth::kDistance;  ///< What `depths` returns.
   /// Larger images are not given to `image`.
   std::int64_t most_image_pixels = std::int64_t{1} << 22;
   /// Images with more pixels across or down are not given to `visible`.

@@ -26,8 +26,9 @@ enum class Quantity {
   kNearestSphere,
   kInvariance,  ///< two answers of the candidate that should agree
   kRefusal,     ///< refuses invalid input, accepts valid input
+  kDepth,       ///< the number of a pixel in a depth picture
 };
-inline constexpr std::size_t kQuantityCount = 16;
+inline constexpr std::size_t kQuantityCount = 17;
 
 /// A quantity's name in reports, the unit of its errors (ulp of the exact value, u of its size, or
 /// empty for decisions), and the symbol of the answered numbers (docs/problem.md; empty if there
@@ -55,6 +56,7 @@ inline constexpr std::array<QuantityInfo, kQuantityCount> kQuantities = {{
     {"nearest sphere", "", "sphere"},
     {"invariance", "u"},
     {"refusal", ""},
+    {"depth", "ulp of float", "s"},
 }};
 
 constexpr const QuantityInfo& info(Quantity quantity) {
@@ -68,7 +70,8 @@ constexpr bool is_decision(Quantity quantity) { return info(quantity).unit.empty
 /// empty for decisions.
 constexpr std::string_view unit_name(Quantity quantity, scene::Precision precision) {
   const std::string_view unit = info(quantity).unit;
-  if (precision == scene::Precision::kDouble || unit.empty()) return unit;
+  const bool is_of_floats = quantity == Quantity::kDepth;
+  if (precision == scene::Precision::kDouble || unit.empty() || is_of_floats) return unit;
   return unit == "ulp" ? "ulp of float" : "u of float";
 }
 

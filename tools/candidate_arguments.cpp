@@ -114,6 +114,14 @@ void add_judged(CLI::App& command, ExternalArguments& arguments) {
       .add_flag("--any-sample", arguments.any_sample,
                 "a renderer's pixel is right if some point of its square shows what it shows")
       ->needs(candidate);
+  command
+      .add_option(
+          "--depth", arguments.depth,
+          "a renderer writes depth pictures (PFM), whose numbers are: s along the ray's unit "
+          "direction, distance from the eye, z along the view axis, or image-plane, z in "
+          "multiples of |near|; then, if not inf, the number of a pixel without a sphere: 'z "
+          "miss 0'")
+      ->needs(candidate);
   add_named(command, "--origin", arguments.origin, scene::kOriginNames,
             "where the rays of a renderer start (default: where the scene says)")
       ->needs(candidate);
@@ -175,6 +183,11 @@ RunOptions run_options(const ExternalArguments& arguments) {
   options.image_threshold = arguments.threshold;
   options.any_sample = arguments.any_sample;
   options.origin = arguments.origin;
+  try {
+    if (!arguments.depth.empty()) options.depth = depth_form(arguments.depth);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("--depth '{}': {}", arguments.depth, error.what()));
+  }
   return options;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -51,16 +52,26 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
   }
 }
 
+/// The exact s of a ray that meets a sphere, and the distance of that hit from the eye.
+struct ExactDepth {
+  Enclosure s, distance;
+};
+ExactDepth exact_depth(Trial& trial, std::size_t k) {
+  const ExactRay& ray = trial.exact_ray(k);
+  const NearestSphere& exact = *trial.exact_nearest()[k];
+  const Enclosure s = ray.parameter(trial.scene().spheres[exact.index], exact.intersection);
+  const bool is_from_eye = trial.conventions().origin == scene::Origin::kFocal;
+  return {s, is_from_eye ? s : s + ray.enclose(kDistanceBits).length()};
+}
+
 /// Judges s of a ray if its sphere is the exact one.
 void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got) {
   const ExactRay& ray = trial.exact_ray(k);
   const NearestSphere& exact = *trial.exact_nearest()[k];
   const Sphere& sphere = trial.scene().spheres[exact.index];
-  const Enclosure s = ray.parameter(sphere, exact.intersection);
+  const auto [s, distance] = exact_depth(trial, k);
   const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
   const Enclosure error = abs(Enclosure(got, kDistanceBits) - s) - least;
-  const bool is_from_eye = trial.conventions().origin == scene::Origin::kFocal;
-  const Enclosure distance = is_from_eye ? s : s + ray.enclose(kDistanceBits).length();
   scene::Measured relative;
   if (error.certain_sign().value_or(1) > 0) {
     relative = distance.contains_zero() ? scene::Measured{std::numeric_limits<double>::infinity()}
@@ -121,6 +132,82 @@ Excuse excuse_of(Trial& trial, const Choice& choice) {
   return excuse(trial, choice.ray, choice.got, candidate.excused_image_change);
 }
 
+/// A right depth is off by this, in ulp of float, since depth pictures hold floats.
+constexpr double kDepthRounding = 0.5;
+constexpr double kFloatRoundoff = scene::unit_roundoff(scene::Precision::kSingle);
+
+Enclosure exact_number(Trial& trial, std::size_t k) {
+  const auto [s, distance] = exact_depth(trial, k);
+  const Depth depth = trial.candidate().depth;
+  if (depth == Depth::kS) return s;
+  if (depth == Depth::kDistance) return distance;
+  const Enclosure of_plane = distance / trial.exact_ray(k).enclose(kDistanceBits).length();
+  const double near = std::abs(trial.scene().camera->near);
+  return depth == Depth::kZ ? of_plane * Enclosure(near, kDistanceBits) : of_plane;
+}
+
+/// An upper bound of the condition number of a depth: that of s, and that of |P - E| and of the
+/// angle with the view axis. Source: l = |P - E| has dl/l = (n dn + a da + b db)/l^2, where a and b
+/// are at most l and their changes are relative to the window's bounds.
+double condition_of_depth(Trial& trial, std::size_t k) {
+  const double of_s = trial.condition_of_parameter(k, trial.exact_nearest()[k]->index);
+  if (trial.candidate().depth == Depth::kS) return of_s;
+  const Camera& camera = *trial.scene().camera;
+  const double window = std::max(std::abs(camera.left), std::abs(camera.right)) +
+                        std::max(std::abs(camera.bottom), std::abs(camera.top));
+  return of_s + 3 + 2 * window / std::abs(camera.near);
+}
+
+/// The excuse for a depth with this relative error: the change of the scene that excuses wrong
+/// pixels changes the depth as much, or the ray may then meet the other root, or another sphere,
+/// first.
+Excuse excuse_of_depth(Trial& trial, std::size_t k, double error) {
+  const auto& exact = trial.exact_nearest()[k];
+  const Candidate& candidate = trial.candidate();
+  const double change = candidate.excused_image_change;
+  if (is_within_threshold(trial, k, candidate.image_threshold)) {
+    return {ExcuseKind::kThreshold, candidate.image_threshold};
+  }
+  // sqrt(x + y) - sqrt(x) is at most twice the derivative times y, also near a tangent.
+  const double condition = condition_of_depth(trial, k);
+  if (error <= 2 * condition * change) return {ExcuseKind::kIllConditioned, condition};
+  const Sphere& first = trial.scene().spheres[exact->index];
+  Intersection other_root = exact->intersection;
+  other_root.root =
+      other_root.root == WhichRoot::kSmaller ? WhichRoot::kLarger : WhichRoot::kSmaller;
+  const double other_s = trial.exact_ray(k).rounded_parameter(first, other_root);
+  Excuse found = properties::excuse_of(
+      right_nearby(trial.exact_ray(k), first, trial.neighbourhood(change), other_s), change);
+  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
+    const Choice other{k, sphere, exact};
+    if (is_right(other)) continue;
+    Excuse one = excuse_of(trial, other);
+    if (one.standing() < found.standing()) continue;
+    found = std::move(one);
+    if (found.standing() == Standing::kExcused) break;
+  }
+  return found;
+}
+
+/// Judges the number of a pixel that shows the sphere, as it should.
+void measure_depth(Trial& trial, Verdict& verdict, std::size_t k, float got) {
+  const NearestSphere& exact = *trial.exact_nearest()[k];
+  const Enclosure number = exact_number(trial, k);
+  const scene::Measured error = reference::ulp_error(got, number, scene::Precision::kSingle);
+  const double stated = trial.bound(Quantity::kParameter) *
+                        (scene::unit_roundoff(trial.precision()) / kFloatRoundoff);
+  trial.measure(
+      verdict, {Quantity::kDepth, trial.place(k, exact.index), error, kDepthRounding + stated},
+      [&] { return condition_of_depth(trial, k); },
+      [&](Discrepancy& d) {
+        d.symbol = kDepthNames[static_cast<std::size_t>(trial.candidate().depth)];
+        d.got = {got};
+        d.exact = {number.upper_rounded()};
+        // An ulp is at most 2 u of the exact number.
+        if (std::isfinite(got)) d.excuse = excuse_of_depth(trial, k, 2 * kFloatRoundoff * d.error);
+      });
+}
+
 void judge_image(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
   const Camera& camera = *trial.scene().camera;
@@ -129,21 +216,33 @@ void judge_image(Trial& trial, Verdict& verdict) {
   if (image.size() != static_cast<std::size_t>(width * camera.height)) {
     throw CandidateFailed("image() returned too few or too many pixels");
   }
+  DepthAnswer depths;
+  if (candidate.depths && !candidate.any_sample) {
+    depths = candidate.depths(trial.scene(), trial.conventions());
+    if (depths.size() != image.size())
+      throw CandidateFailed("depths() returned too few or too many pixels");
+  }
   const SpheresMet met = spheres_met(trial);
   std::size_t unidentified = 0, unclear = 0;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (met.is_unjudged[k]) continue;
     const Pixel& pixel = trial.pixels()[k];
-    const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
-                        trial.exact_nearest()[k], "in the picture"};
+    const auto at = static_cast<std::size_t>(pixel.j * width + pixel.i);
+    const Choice choice{k, image[at], trial.exact_nearest()[k], "in the picture"};
     if (choice.got == kUnclear) {
       ++unclear;
       continue;
     }
     unidentified += choice.got == kSomeSphere && choice.exact ? 1 : 0;
     judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
+    if (!depths.empty() && choice.got && choice.exact) {
+      measure_depth(trial, verdict, k, depths[at]);
+    }
   }
-  if (unidentified > 0) {
+  if (candidate.depths && depths.empty()) {
+    verdict.leave_out("depths, because any point of a pixel may be its sample");
+  }
+  if (unidentified > 0 && !candidate.depths) {
     verdict.leave_out("pixels whose colour is not that of a sphere are judged only as hit or miss");
   }
   if (unclear > 0)

@@ -1,6 +1,6 @@
 """A finished renderer: rt.py MISTAKE DRIVER IMAGE [OPTIONS]. It reads a driver file of dialect B (C
 and A for some MISTAKEs) and writes a PPM (P3) or what written.py writes, by the ending of IMAGE, with
-ambient light only. MISTAKE selects a mistake; OPTIONS are of the format."""
+ambient light only; if MISTAKE begins with depth, a depth picture (PFM). MISTAKE selects a mistake; OPTIONS are of the format."""
 import math
 import os
 import struct
@@ -37,7 +37,7 @@ class Asked:
 
 
 def nearest(ray, spheres):
-    """The first hit's colour."""
+    """The first hit's s and colour."""
     best = None
     for sphere, colour in spheres:
         hit = right.intersect(ray, sphere, Asked)
@@ -47,7 +47,26 @@ def nearest(ray, spheres):
             continue
         if best is None or hit[0] < best[0]:
             best = (hit[0], colour)
+    return best
+
+
+def colour(ray, spheres):
+    best = nearest(ray, spheres)
     return best[1] if best else (0, 0, 0)
+
+
+def depth(camera, pixel, spheres):
+    """The distance of the first hit from the eye, or what MISTAKE says."""
+    _, kind, *miss = MISTAKE.split(":")
+    ray = right.pixel_ray(camera, Asked, pixel)
+    best = nearest(ray, spheres)
+    if best is None:
+        return float(miss[0]) if miss else math.inf
+    if kind == "constant":
+        return 7.0
+    s, length = best[0], math.hypot(*right.sight(camera, Asked, pixel))
+    return {"s": s, "z": (s + length) * -camera.near / length, "image-plane": (s + length) / length,
+            "off": (s + length) * (1 + 2e-5)}.get(kind, s + length)
 
 
 def main():
@@ -62,10 +81,19 @@ def main():
     camera = right.rc.Camera(eye, look, up, near, left, right_, bottom, top, width, height)
     if MISTAKE == "near-root-only":
         Asked.root = "smaller"
+    if MISTAKE == "depth:far-root":
+        right.MISTAKE = "far_root"
+    if MISTAKE == "depth:half-pixel":
+        Asked.samples = "centres"
+    if MISTAKE.startswith("depth"):
+        numbers_ = [depth(camera, (i, j), spheres) for j in range(height) for i in range(width)]
+        with open(IMAGE, "wb") as image:
+            image.write(b"Pf\n%d %d\n-1.0\n" % (width, height) + struct.pack(f"<{len(numbers_)}f", *numbers_))
+        return
     if MISTAKE in ("corners", "centres"):
         Asked.samples = MISTAKE
     ray = right.focal_ray if MISTAKE == "from-eye" else right.pixel_ray
-    lines = [[nearest(ray(camera, Asked, (i, height - 1 - line)), spheres)
+    lines = [[colour(ray(camera, Asked, (i, height - 1 - line)), spheres)
               for i in range(width)] for line in range(height)]
     if MISTAKE in ("upside-down", "dim-upside-down"):
         lines.reverse()

@@ -269,8 +269,27 @@ Candidate with_image(std::string name,
   return candidate;
 }
 
+/// A mutant that draws depth pictures, whose numbers are made from the right s.
+Candidate with_depths(std::string name, double (*number)(double s)) {
+  Candidate candidate = named(std::move(name));
+  candidate.depth = properties::Depth::kS;
+  candidate.depths = [visible = candidate.visible, number](const Scene& scene,
+                                                           const Conventions& conventions) {
+    properties::DepthAnswer depths;
+    for (const auto& seen : visible(scene, conventions, properties::all_pixels(*scene.camera))) {
+      depths.push_back(seen ? static_cast<float>(number(seen->parameter)) : 0);
+    }
+    return depths;
+  };
+  return candidate;
+}
+
 std::vector<Mutant> image_mutants() {
   return {
+      {"every depth is 1", {"image"}, with_depths("depth-constant", [](double) { return 1.0; })},
+      {"depths are off by 2^-8 of themselves",
+       {"image"},
+       with_depths("depth-coarse", [](double s) { return s * (1 + 0x1p-8); })},
       {"rows of the image are upside down",
        {"image"},
        with_image("image-upside-down",

@@ -45,8 +45,8 @@ class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
 
-  properties::ImageAnswer of(const scene::Scene& scene, const scene::Conventions& conventions,
-                             const LastFailure& last) {
+  DrawnImage of(const scene::Scene& scene, const scene::Conventions& conventions,
+                const LastFailure& last) {
     const std::shared_ptr<Picture> picture = kept(scene, conventions);
     std::call_once(picture->drawn, [&] { draw(*picture); });
     if (picture->failure) picture->failure->raise(last);
@@ -58,7 +58,7 @@ class Pictures {
     scene::Scene scene;
     scene::Conventions conventions;
     std::once_flag drawn = {};
-    properties::ImageAnswer image = {};
+    DrawnImage image = {};
     std::optional<AnswerFailure> failure = {};
     std::int64_t pixels() const { return scene.camera->width * scene.camera->height; }
   };
@@ -315,8 +315,15 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   if (external.renderer->origin) candidate.declared.origin = external.renderer->origin;
   candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
                                                          const scene::Conventions& conventions) {
-    return properties::asked_by_us([&] { return pictures->of(scene, conventions, last); });
+    return properties::asked_by_us([&] { return pictures->of(scene, conventions, last).spheres; });
   };
+  if (external.renderer->depth) {
+    candidate.depth = external.renderer->depth->depth;
+    candidate.depths = [pictures = external.pictures, last](const scene::Scene& scene,
+                                                            const scene::Conventions& conventions) {
+      return properties::asked_by_us([&] { return pictures->of(scene, conventions, last).depths; });
+    };
+  }
   return judged_in(external.precision, std::move(candidate));
 }
 

@@ -20,6 +20,7 @@ struct RunOptions {
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
   bool any_sample = false;
+  std::optional<DepthForm> depth = {};
   /// The origin of their rays; empty: as the scene says.
   std::optional<scene::Origin> origin = {};
   /// Folders that it may read besides its own folder.

@@ -181,6 +181,7 @@ Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres)
 std::string not_provable(const Discrepancy& d, bool from_camera) {
   const properties::Law* law = properties::find_law(d.law);
   if (d.quantity == Quantity::kRefusal) return "no value is stated";
+  if (d.quantity == Quantity::kDepth) return "proofs do not cover the numbers of depth pictures";
   const bool is_own = d.quantity == Quantity::kBackwardError;
   if (law == nullptr || !(law->judges_values || is_own)) {
     return "the law relates several answers of the method: no exact value is stated";

@@ -236,14 +236,15 @@ ReadPicture read_pfm(std::string_view bytes, std::int64_t most,
     for (std::size_t k = 0; k < sizeof(word); ++k) {
       word = 256 * word + static_cast<unsigned char>(at[is_little ? sizeof(word) - 1 - k : k]);
     }
-    const auto value = std::bit_cast<float>(word);
-    return static_cast<std::uint8_t>(255 * (value > 0 ? std::min(value, 1.0F) : 0) + 0.5F);
+    return std::bit_cast<float>(word);
   };
   for (std::int64_t line = picture.height - 1; line >= 0; --line) {
     for (std::size_t at = static_cast<std::size_t>(line) * row, end = at + row; at < end;
          at += channels * sizeof(float)) {
+      picture.depths.push_back(channel(rest.substr(at)));
       const auto part = [&](std::size_t k) {
-        return channel(rest.substr(at + k % channels * sizeof(float)));
+        const float value = channel(rest.substr(at + k % channels * sizeof(float)));
+        return static_cast<std::uint8_t>(255 * (value > 0 ? std::min(value, 1.0F) : 0) + 0.5F);
       };
       picture.pixels.push_back({part(0), part(1), part(2)});
     }

@@ -64,6 +64,7 @@ struct ReadPicture {
   bool is_lossy = false;       ///< Whether it was a JPEG.
   /// The pixels of a lossy picture that may have had another colour, in ascending order.
   std::vector<std::uint32_t> unclear = {};
+  std::vector<float> depths = {};  ///< The first channels of a PFM, as they are.
   bool has_size(const PictureSize& size) const {
     return width == size.width && height == size.height;
   }
@@ -77,8 +78,9 @@ class PictureError : public std::runtime_error {
 
 /// Reads a PPM (P3 or P6, with comments; channels are scaled from any maximum to 255), a PNG or a
 /// PFM (grey or in colour; channels are clamped to [0, 1]). Transparent pixels of a PNG are black;
-/// in a picture that has such pixels, black ones that are not transparent are (1, 1, 1) instead. A picture of more than `most` pixels is
-/// an error. If `wanted` is given and the picture has another size, only its header is read.
+/// in a picture that has such pixels, black ones that are not transparent are (1, 1, 1) instead. A
+/// picture of more than `most` pixels is an error. If `wanted` is given and the picture has another
+/// size, only its header is read.
 ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
                           const std::optional<PictureSize>& wanted = {});
 

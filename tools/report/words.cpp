@@ -189,7 +189,8 @@ std::string input_name(const Discrepancy& d, std::size_t input) {
   if (input < of_ray) return std::string(d.place.pixel ? kOfCamera[input] : kOfRay[input]);
   const std::size_t rest = input - of_ray;
   const std::string_view name = kOfSphere[rest % kOfSphere.size()];
-  return d.quantity == properties::Quantity::kNearestSphere
+  return d.quantity == properties::Quantity::kNearestSphere ||
+                 d.quantity == properties::Quantity::kDepth
              ? fmt::format("spheres[{}].{}", rest / kOfSphere.size(), name)
              : std::string(name);
 }

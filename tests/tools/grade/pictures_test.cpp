@@ -174,5 +174,34 @@ cases = 4
                                               "install the Debian package imagemagick"});
 }
 
+TEST_F(Pictures, of_depths_are_judged_by_the_rubrics_depth) {
+  std::string folder;
+  for (const std::string file : {"rt.py", "right.py", "written.py"}) {
+    folder =
+        grading.hand_in("mine", file, contents(RAYCHECK_SOURCE_DIR "/tests/candidates/" + file));
+  }
+  const auto graded = [&](const std::string& kind, const std::string& depth) {
+    const std::string pictures = "scenes = [\"lecture7/frame.toml\"]\nsources = [\"course\"]\n";
+    const std::string rubric = grading.write(
+        "depth.toml",
+        "depth = \"" + depth +
+            "\"\n[[form]]\nhas = \"rt.py\"\ncandidate = \"renderer:python3 {file} depth:" + kind +
+            " {scene} out.pfm\"\n" +
+            item_of("mask", "points = 4",
+                    "[item.pictures]\njudge = \"mask\"\ncases = 4\n" + pictures) +
+            item_of("depth", "points = 6",
+                    "[item.pictures]\njudge = \"depth\"\ncases = 4\n" + pictures));
+    grading.grade(rubric, {folder});
+    return grading.result("mine");
+  };
+  const json right = graded("z:0", "z miss 0");
+  EXPECT_EQ(right["score"], 10) << right.dump(2);
+  EXPECT_EQ(right["notes"], json::array()) << right["notes"];
+  const json wrong = graded("z:0", "distance miss 0");
+  expect_values(item(wrong, "mask"), {{"score", 4}});
+  expect_values(item(wrong, "depth"), {{"score", 0}});
+  expect_parts(grading.file("mine", "report.html"), {"--depth", "distance miss 0"});
+}
+
 }  // namespace
 }  // namespace raycheck::tests

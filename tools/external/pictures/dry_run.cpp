@@ -285,6 +285,7 @@ class DryRunner {
   /// Finds which channels show red, green and blue. If it draws no sphere in any colour, the fault
   /// is another one, and nothing follows.
   void find_colours(DryRun& found) {
+    if (renderer_.depth) return;  // hits are white, a colour that no sphere has
     constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
     std::array<std::optional<Colour>, 3> seen;
     for (std::size_t k = 0; k < kPure.size(); ++k) seen[k] = shown(kPure[k], found);

@@ -15,6 +15,8 @@
 
 #include "properties/failures.h"
 #include "properties/mistakes/shown_picture.h"
+#include "scene/number.h"
+#include "scene/text.h"
 #include "tools/external/pictures/other_formats.h"
 #include "tools/external/sandbox/file_tree.h"
 
@@ -99,23 +101,23 @@ std::optional<FoundPicture> found_picture(const fs::path& folder) {
 
 /// Serialises a picture for the answer store, and reads it back.
 std::string stored_text(const MadePicture& made) {
-  const auto& [width, height, pixels, is_lossy, unclear] = made.picture;
-  std::string text =
-      fmt::format("{} {} {} {} {} {} {}\n", width, height, is_lossy ? 1 : 0, made.other_name.size(),
-                  made.ended.size(), pixels.size(), unclear.size());
+  const auto& [width, height, pixels, is_lossy, unclear, depths] = made.picture;
+  std::string text = fmt::format("{} {} {} {} {} {} {} {}\n", width, height, is_lossy ? 1 : 0,
+                                 made.other_name.size(), made.ended.size(), pixels.size(),
+                                 unclear.size(), depths.size());
   const auto add = [&](const auto& from) {
     text.append(reinterpret_cast<const char*>(from.data()), from.size() * sizeof(from[0]));
   };
-  add(made.other_name), add(made.ended), add(pixels), add(unclear);
+  add(made.other_name), add(made.ended), add(pixels), add(unclear), add(depths);
   return text;
 }
 
 MadePicture stored_picture(const std::string& text) {
   std::istringstream stored(text);
   MadePicture made;
-  std::size_t other_name = 0, ended = 0, pixels = 0, unclear = 0;
+  std::size_t other_name = 0, ended = 0, pixels = 0, unclear = 0, depths = 0;
   stored >> made.picture.width >> made.picture.height >> made.picture.is_lossy >> other_name >>
-      ended >> pixels >> unclear;
+      ended >> pixels >> unclear >> depths;
   stored.get();
   const auto take = [&](auto& into, std::size_t size) {
     into.resize(size);
@@ -126,6 +128,7 @@ MadePicture stored_picture(const std::string& text) {
   take(made.ended, ended);
   take(made.picture.pixels, pixels);
   take(made.picture.unclear, unclear);
+  take(made.picture.depths, depths);
   return made;
 }
 
@@ -200,7 +203,42 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
                        said);
 }
 
+/// Makes the pixels of a depth picture white where it shows a sphere, and black elsewhere.
+MadePicture with_pixels_of(const DepthForm& form, MadePicture made) {
+  ReadPicture& picture = made.picture;
+  if (picture.depths.size() != picture.pixels.size()) {
+    throw ProcessFailure(
+        FailureKind::kBadReply,
+        "its depth picture is not a PFM, the one format read here that keeps floats");
+  }
+  std::ranges::transform(picture.depths, picture.pixels.begin(), [&](float number) {
+    return form.is_miss(number) ? Colour{} : Colour{255, 255, 255};
+  });
+  return made;
+}
+
 }  // namespace
+
+std::string DepthForm::text() const {
+  return fmt::format("{} miss {}", properties::kDepthNames[static_cast<std::size_t>(depth)], miss);
+}
+
+DepthForm depth_form(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  std::string name, word, miss = "inf", more;
+  words >> name;
+  const bool has_miss = static_cast<bool>(words >> word);
+  if (has_miss && !(words >> miss)) miss.clear();
+  const auto& names = properties::kDepthNames;
+  const auto* const found = std::ranges::find(names, name);
+  const auto number = scene::parse_number(miss);
+  if (found == names.end() || !number || (has_miss && word != "miss") || (words >> more)) {
+    throw std::invalid_argument(
+        fmt::format("must be {}, and may be followed by 'miss VALUE', as in 'z miss 0'",
+                    scene::joined(names, " or ")));
+  }
+  return {static_cast<properties::Depth>(found - names.begin()), static_cast<float>(*number)};
+}
 
 bool Renderer::is_told_name() const {
   return std::ranges::any_of(program.arguments, [](const std::string& word) {
@@ -256,8 +294,11 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
   return answer;
 }
 
-MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
-                     int nth) {
+namespace {
+
+/// The picture as the program makes it, or the stored one.
+MadePicture made_or_stored(const Renderer& renderer, const std::string& driver, PictureSize size,
+                           int nth) {
   const std::string request =
       fmt::format("{}{} x {} within {} s\n{}", nth > 1 ? fmt::format("{}: ", nth) : "", size.width,
                   size.height, renderer.program.limits.seconds, driver);
@@ -294,8 +335,6 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
   }
 }
 
-namespace {
-
 /// JPEG may lose parts of a picture that are narrower or lower than this many pixels.
 constexpr std::int64_t kWide = 3;
 
@@ -327,19 +366,33 @@ void doubt_narrow_parts(const properties::ImageAnswer& exact, std::int64_t width
 
 }  // namespace
 
-properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
-                               const scene::Conventions& conventions) {
+MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
+                     int nth) {
+  MadePicture made = made_or_stored(renderer, driver, size, nth);
+  return renderer.depth ? with_pixels_of(*renderer.depth, std::move(made)) : made;
+}
+
+DrawnImage render(const Renderer& renderer, const scene::Scene& scene,
+                  const scene::Conventions& conventions) {
   const PictureSize size = {scene.camera->width, scene.camera->height};
   const std::string why = scene::why_not_expressed(*renderer.driver.format, scene);
   if (!why.empty()) throw ProcessFailure(FailureKind::kCannotExpress, why);
   const std::string driver = driver_text(scene, renderer.driver, renderer.colours);
-  const ReadPicture picture = rendered(renderer, driver, size).picture;
+  ReadPicture picture = rendered(renderer, driver, size).picture;
   properties::ImageAnswer answer = image_answer(picture, *scene.camera, conventions.rows,
                                                 scene.spheres.size(), renderer.colours);
   if (picture.is_lossy) {
     doubt_narrow_parts(properties::exact_image(scene, conventions), size.width, answer);
   }
-  return answer;
+  if (!renderer.depth) return {std::move(answer), {}};
+  if (conventions.rows == scene::Rows::kBottomFirst) {
+    std::vector<float> turned;
+    for (auto row = picture.depths.end(); row != picture.depths.begin(); row -= size.width) {
+      turned.insert(turned.end(), row - size.width, row);
+    }
+    picture.depths = std::move(turned);
+  }
+  return {std::move(answer), std::move(picture.depths)};
 }
 
 }  // namespace raycheck::tools

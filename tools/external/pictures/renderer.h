@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "properties/candidate.h"
 #include "tools/external/answer_store.h"
@@ -27,6 +29,18 @@ inline constexpr const char* kImageFile = "image.ppm";
 /// for skipped tests.
 inline constexpr int kCannotExpress = 77;
 
+/// What the numbers of depth pictures mean.
+struct DepthForm {
+  properties::Depth depth = properties::Depth::kDistance;
+  float miss = std::numeric_limits<float>::infinity();  ///< Of pixels without a sphere.
+
+  bool is_miss(float number) const { return number == miss || (number != number && miss != miss); }
+  /// "z miss 0": as depth_form() reads it.
+  std::string text() const;
+};
+/// Errors: std::invalid_argument, which says what is expected.
+DepthForm depth_form(std::string_view text);
+
 /// A finished renderer. Its command line is run once per picture; {scene} stands for a scene
 /// file, {image} for the picture to make (read_picture() lists the formats), {width} and {height}
 /// for its size. Without {image}, the program chooses the name, or takes it from the scene file.
@@ -39,8 +53,9 @@ struct Renderer {
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
-  double threshold = 0;  ///< Wrong pixels with an exact s of at most this are excused.
+  double threshold = 0;     ///< Wrong pixels with an exact s of at most this are excused.
   bool any_sample = false;  ///< Whether any point of a pixel's square may be its sample.
+  std::optional<DepthForm> depth = {};       ///< Empty: its pictures show colours.
   std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
   /// The number of time-outs after which it is no longer started.
   int most_timeouts = kMostTimeouts;
@@ -73,15 +88,22 @@ struct MadePicture {
 
 /// Runs the program on a driver file, or takes the stored picture of the `nth` run. A complete
 /// picture counts, whatever the program's exit code. A picture of the wrong size is returned
-/// without pixels. The time to read a picture is charged to the program. Errors: ProcessFailure
-/// (kCannotExpress if the wrapper confirms it); std::runtime_error if the picture is invalid;
-/// properties::CannotBeSaid if raycheck lacks the program to read it.
+/// without pixels; in a depth picture, hits are white and misses black. The time to read a picture
+/// is charged to the program. Errors: ProcessFailure (kCannotExpress if the wrapper confirms it);
+/// std::runtime_error if the picture is invalid; properties::CannotBeSaid if raycheck lacks the
+/// program to read it.
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
                      int nth = 1);
 
-/// Draws a scene and returns the sphere of each pixel, by the conventions that the renderer is
-/// judged by. Errors: as rendered() and image_answer().
-properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
-                               const scene::Conventions& conventions);
+/// The sphere of each pixel of an image, and its numbers if it is a depth picture.
+struct DrawnImage {
+  properties::ImageAnswer spheres;
+  properties::DepthAnswer depths;
+};
+
+/// Draws a scene, and returns what its image shows by the conventions that the renderer is judged
+/// by. Errors: as rendered() and image_answer().
+DrawnImage render(const Renderer& renderer, const scene::Scene& scene,
+                  const scene::Conventions& conventions);
 
 }  // namespace raycheck::tools

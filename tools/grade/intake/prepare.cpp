@@ -375,6 +375,7 @@ RunOptions run_options(const Rubric& rubric, const Layers& layers) {
   options.excused_image_change = rubric.image_change;
   options.image_threshold = rubric.t_threshold;
   options.any_sample = rubric.any_sample;
+  options.depth = rubric.depth;
   return options;
 }
 

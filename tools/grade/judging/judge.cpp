@@ -179,6 +179,7 @@ class Judge {
     graded.unmasked.excused_image_change =
         task.image_change.value_or(graded.unmasked.excused_image_change);
     graded.candidate = task.masks_only ? masked(graded.unmasked) : graded.unmasked;
+    if (!task.judges_depth) graded.candidate.depths = {};
     graded.tolerance = item.tolerance;
     graded.pictures = judged_.pictures;
     graded.masks_only = task.masks_only;

@@ -133,6 +133,7 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   if (is_renderer && !(grade.submission.found.driver() == DriverForm{})) {
     check += " --dialect " + shell_word(grade.submission.found.driver().name());
   }
+  if (is_renderer && !grade.depth.empty()) check += " --depth " + shell_word(grade.depth);
   const auto precision = grade.submission.items[k].failing->answer.precision;
   if (is_renderer && precision != scene::Precision::kDouble) {
     check += fmt::format(" --precision {}", scene::name(precision));

@@ -144,6 +144,7 @@ ItemGrade redacted(const Rubric& rubric, const Item& item, ItemGrade grade) {
 StudentGrade student_grade(const Rubric& rubric, const SubmissionGrade& grade, HiddenBy hidden_by) {
   StudentGrade result{std::filesystem::path(rubric.path).filename().string(),
                       rubric.dialect,
+                      rubric.depth ? rubric.depth->text() : "",
                       rubric.title,
                       grade,
                       {},

@@ -268,6 +268,7 @@ enum class HiddenBy {
 struct StudentGrade {
   std::string rubric;              ///< The rubric's file name.
   std::string dialect;             ///< The dialect that replaced the rubric's [driver], or empty.
+  std::string depth;               ///< The rubric's depth, for --depth, or empty.
   std::string title;               ///< The rubric's title.
   SubmissionGrade submission;      ///< Contains only visible items, and no seed.
   std::vector<const Item*> items;  ///< The rubric's item for each item of the submission.

@@ -21,7 +21,8 @@ using scene::TomlFields;
 using Field = TomlFields::Field;
 using Table = TomlFields::Table;
 
-constexpr std::array<std::string_view, 2> kJudgeNames = {"spheres", "mask"};
+constexpr std::array<std::string_view, 3> kJudgeNames = {"spheres", "mask", "depth"};
+enum class Judged { kSpheres, kMask, kDepth };
 constexpr std::array<std::string_view, 2> kRaysNames = {"own", "given"};
 constexpr double kMostSeconds = 86400;
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -40,8 +41,8 @@ class RubricReader {
     const toml::table root = scene::parse_toml(scene::file_text(path_), path_.string());
     const Table file{root, "rubric", "", 1};
     fields_.require_known(file, {"title", "seconds", "reply_seconds", "build_seconds", "driver",
-                                 "precision", "image_change", "t_threshold", "bounds", "limits",
-                                 "conventions", "tolerance", "form", "item", "unjudged"});
+                                 "precision", "image_change", "t_threshold", "depth", "bounds",
+                                 "limits", "conventions", "tolerance", "form", "item", "unjudged"});
     Rubric rubric;
     rubric.path = path_.string();
     rubric.title = given_text(file, "title", path_.stem().string());
@@ -61,6 +62,14 @@ class RubricReader {
     set_between(file, "image_change", 0, kLargest, kNotNegative, rubric.image_change);
     set_between(file, "t_threshold", 0, kLargest, kNotNegative, rubric.t_threshold);
     set_between(file, "unjudged", 0, 1, kShare, rubric.unjudged);
+    if (const auto field = fields_.optional(file, "depth")) {
+      try {
+        rubric.depth = depth_form(fields_.text(*field));
+      } catch (const std::invalid_argument& error) {
+        fields_.fail(*field, error.what());
+      }
+    }
+    is_of_depths_ = rubric.depth.has_value();
     if (const auto field = fields_.optional(file, "bounds")) {
       try {
         rubric.bounds = find_pair(fields_.text(*field));
@@ -300,7 +309,14 @@ class RubricReader {
     if (pictures) {
       result.laws = properties::laws_that(
           [](const properties::Law& law) { return law.per == properties::Per::kImage; });
-      fields_.choose(from, "judge", kJudgeNames, result.masks_only);
+      Judged judged = Judged::kSpheres;
+      fields_.choose(from, "judge", kJudgeNames, judged);
+      if (judged == Judged::kDepth && !is_of_depths_) {
+        fields_.fail(fields_.required(from, "judge"),
+                     "needs the rubric's key depth, such as depth = \"distance miss inf\"");
+      }
+      result.masks_only = judged != Judged::kSpheres;
+      result.judges_depth = judged == Judged::kDepth;
       set_between(from, "image_change", 0, 1, kShare, result.image_change);
       if (const auto vary = fields_.optional(from, "vary")) result.vary = variations(*vary);
     } else {
@@ -395,6 +411,7 @@ class RubricReader {
   TomlFields fields_;
   Tolerance tolerance_;
   double unit_ = properties::kDoubleRoundoff;  ///< The unit of every tolerance.
+  bool is_of_depths_ = false;
   std::set<std::string> names_;
   std::set<std::string> file_names_;
   std::map<std::string, fs::path> files_;

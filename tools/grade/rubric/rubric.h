@@ -15,6 +15,7 @@
 #include "scene/files/scene_file.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/pictures/driver_form.h"
+#include "tools/external/pictures/renderer.h"
 #include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
@@ -71,6 +72,7 @@ struct ItemTask {
   int cases = 0;  ///< The number of random cases, from the sources in turn.
   /// For pictures: whether to judge only if a pixel shows a sphere, not which one.
   bool masks_only = false;
+  bool judges_depth = false;  ///< For pictures: whether the numbers of hits are judged, too.
   std::optional<double> image_change;  ///< For pictures: replaces the rubric's.
   /// For pictures: how the scenes vary with the seed.
   std::vector<properties::Variation> vary = {properties::Variation::kScale,
@@ -153,6 +155,7 @@ struct Rubric {
   scene::Precision precision = scene::Precision::kDouble;
   double image_change = properties::kExcusedImageChange;
   double t_threshold = 0;
+  std::optional<DepthForm> depth = {};  ///< If renderers write depth pictures.
   /// The methods whose documented bounds apply to submissions.
   MethodPair bounds = kDefaultMethods;
   std::vector<Form> forms;
