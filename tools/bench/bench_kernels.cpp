@@ -27,7 +27,6 @@
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/search/campaign.h"
-#include "properties/trial.h"
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 #include "reference/ray_error.h"

@@ -4,7 +4,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -15,7 +14,6 @@
 #include "properties/case.h"
 #include "properties/cases/scene_cases.h"
 #include "properties/run_control.h"
-#include "properties/trial.h"
 #include "scene/plan/plan.h"
 #include "scene/scene.h"
 #include "tools/check/check.h"

@@ -5,7 +5,6 @@
 
 #include "scene/files/file_text.h"
 #include "scene/files/format.h"
-#include "scene/invalid_input.h"
 #include "tools/commands/new_format.h"
 #include "tools/edge.h"
 #include "tools/external/sandbox/launch.h"

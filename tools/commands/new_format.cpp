@@ -22,27 +22,13 @@
 namespace raycheck::tools {
 namespace {
 
-/// What keywords usually mean, besides those of the known formats.
-constexpr std::pair<std::string_view, std::string_view> kUsual[] = {{"camera_position", "{eye}"},
-                                                                    {"position", "{eye}"},
-                                                                    {"location", "{eye}"},
-                                                                    {"origin", "{eye}"},
-                                                                    {"cameye", "{eye}"},
-                                                                    {"lookat", "{look_at}"},
-                                                                    {"look_at", "{look_at}"},
-                                                                    {"target", "{look_at}"},
-                                                                    {"camlookat", "{look_at}"},
-                                                                    {"direction", "{view}"},
-                                                                    {"dir", "{view}"},
-                                                                    {"forward", "{view}"},
-                                                                    {"vup", "{up}"},
-                                                                    {"camup", "{up}"},
-                                                                    {"fov", "{fovy}"},
-                                                                    {"film", "{width} {height}"},
-                                                                    {"width", "{width}"},
-                                                                    {"height", "{height}"},
-                                                                    {"image", "{width} {height}"},
-                                                                    {"ball", "{centre} {radius}"}};
+/// What keywords usually mean, besides those of the known formats: lines of a template.
+constexpr std::string_view kUsual =
+    "camera_position {eye}\nposition {eye}\nlocation {eye}\norigin {eye}\ncameye {eye}\n"
+    "lookat {look_at}\nlook_at {look_at}\ntarget {look_at}\ncamlookat {look_at}\n"
+    "direction {view}\ndir {view}\nforward {view}\nvup {up}\ncamup {up}\nfov {fovy}\n"
+    "film {width} {height}\nwidth {width}\nheight {height}\nimage {width} {height}\n"
+    "ball {centre} {radius}\n";
 
 /// A line of an example: its keyword, and the words after it.
 struct Line {
@@ -118,11 +104,8 @@ std::multimap<std::string, Meaning> meanings() {
   for (const auto& [name, format] : scene::formats()) {
     if (format.by_lines) add(format);
   }
-  static const scene::FileFormat kUsualFormat = [] {
-    std::string text = "title = \"\"\ntemplate = '''\n";
-    for (const auto& [keyword, slots] : kUsual) text += fmt::format("{} {}\n", keyword, slots);
-    return scene::read_format(text + "'''\n", "usual.toml");
-  }();
+  static const scene::FileFormat kUsualFormat = scene::read_format(
+      fmt::format("title = \"\"\ntemplate = '''\n{}'''\n", kUsual), "usual.toml");
   add(kUsualFormat);
   return all;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/number.h"
+#include "scene/text.h"
 #include "tools/explain/explain.h"
 #include "tools/implementations/implementation.h"
 #include "tools/report/words.h"
@@ -20,10 +21,9 @@ std::string shown(const std::string& closed_form) {
 }
 
 std::string listed(const std::vector<std::string>& parts) {
-  if (parts.size() == 1) return shown(parts[0]);
-  std::string text = "(";
-  for (const std::string& part : parts) text += (text.size() > 1 ? ", " : "") + shown(part);
-  return text + ")";
+  const std::string text =
+      scene::joined(parts, ", ", [](const std::string& part) { return shown(part); });
+  return parts.size() == 1 ? text : "(" + text + ")";
 }
 
 /// "s = 0.001 lies before t_min = 0.01"

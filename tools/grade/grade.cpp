@@ -16,7 +16,6 @@
 #include "tools/grade/store/store.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/output_file.h"
-#include "tools/report/words.h"
 #include "tools/run/threads.h"
 
 namespace raycheck::tools {

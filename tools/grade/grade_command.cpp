@@ -22,7 +22,6 @@ struct GradeArguments {
   int jobs = tbb::info::default_concurrency();
   std::string secret_file;
   std::string package;
-  bool probe = false;
   /// Grading with less isolation than required needs an explicit option.
   SandboxArguments sandbox = {.sandbox = Sandbox::kRequire};
   std::string format = "text";
@@ -74,7 +73,6 @@ int run_probe(const GradeArguments& arguments) {
                                 ": with --probe, give text or json");
   }
   GradeOptions options = arguments.options;
-  options.probe = true;
   options.out.clear();
   options.sandbox = sandbox_of(arguments.sandbox);
   const ClassGrade probed = grade(options, run_control("submissions", arguments.jobs));
@@ -83,7 +81,7 @@ int run_probe(const GradeArguments& arguments) {
 }
 
 int run_grade(const GradeArguments& arguments) {
-  if (arguments.probe) return run_probe(arguments);
+  if (arguments.options.probe) return run_probe(arguments);
   GradeOptions options = arguments.options;
   if (!arguments.package.empty()) {
     write_package(load_rubric(options.rubric), options.seed, arguments.package);
@@ -138,7 +136,7 @@ CommandRun add_grade(CLI::App& command) {
   CLI::Option* const probe =
       command
           .add_flag(
-              "--probe", arguments.probe,
+              "--probe", arguments.options.probe,
               "only build the submissions and draw a test scene with each; print what each one "
               "reads, writes and shows, and suggest [driver] and [[form]] tables for the rubric")
           ->needs(submissions);

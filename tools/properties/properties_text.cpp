@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -259,11 +258,6 @@ std::string time_text(const PropertiesReport& report) {
   return text + "\n";
 }
 
-/// The name that a candidate declares, in parentheses.
-std::string own_name_text(const std::string& own) {
-  return own.empty() ? "" : fmt::format(" ({})", own);
-}
-
 /// A line about each external candidate, if several laws were tried.
 std::string first_sentences(const PropertiesReport& report) {
   std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
@@ -274,7 +268,8 @@ std::string first_sentences(const PropertiesReport& report) {
   for (const auto& [candidate, campaigns] : by_candidate) {
     if (campaigns.size() < 2) continue;
     const std::string& own = campaigns.front()->implementation.own_name;
-    text += fmt::format("{}{}: {}\n", candidate, own_name_text(own), first_sentence(campaigns));
+    text += fmt::format("{}{}: {}\n", candidate, own.empty() ? "" : " (" + own + ")",
+                        first_sentence(campaigns));
   }
   return text;
 }

@@ -42,9 +42,7 @@ Json json_of(double x) {
 }
 
 Json json_of(const std::vector<double>& numbers) {
-  Json list = Json::array();
-  for (const double x : numbers) list.push_back(json_of(x));
-  return list;
+  return list_json(numbers, [](double x) { return json_of(x); });
 }
 
 /// The answer of a picture that does not show which sphere it is.
@@ -57,10 +55,6 @@ Json got_json(const Discrepancy& d) {
 template <class Triple>
 Json triple_json(const Triple& v) {
   return json_of(std::vector<double>{v.x, v.y, v.z});
-}
-
-bool is_about_axes(Quantity quantity) {
-  return quantity == Quantity::kFrame || quantity == Quantity::kOrthonormality;
 }
 
 Json camera_json(const scene::Camera& camera, bool axes_only) {
@@ -89,18 +83,18 @@ Json inputs_json(const scene::Scene& scene, const Discrepancy& d,
                  const std::vector<scene::Sphere>& spheres) {
   Json json;
   if (scene.camera) {
-    json["camera"] = camera_json(*scene.camera, is_about_axes(d.quantity));
+    const bool axes_only =
+        d.quantity == Quantity::kFrame || d.quantity == Quantity::kOrthonormality;
+    json["camera"] = camera_json(*scene.camera, axes_only);
     if (d.place.pixel) json["pixel"] = {d.place.pixel->i, d.place.pixel->j};
   } else {
     const scene::Ray& ray = scene.rays.at(d.place.ray);
     json["ray"] = {{"origin", triple_json(ray.origin)}, {"direction", triple_json(ray.direction)}};
   }
   if (spheres.empty()) return json;
-  json["spheres"] = Json::array();
-  for (const scene::Sphere& sphere : spheres) {
-    json["spheres"].push_back(
-        {{"centre", triple_json(sphere.centre)}, {"radius", json_of(sphere.radius)}});
-  }
+  json["spheres"] = list_json(spheres, [](const scene::Sphere& sphere) {
+    return Json{{"centre", triple_json(sphere.centre)}, {"radius", json_of(sphere.radius)}};
+  });
   return json;
 }
 
@@ -109,11 +103,8 @@ Json meeting_json(const reference::ProvenMeeting& meeting) {
   json["discriminant"] = json_of(meeting.discriminant);
   if (meeting.c) json["c"] = json_of(*meeting.c);
   if (meeting.b) json["b"] = json_of(*meeting.b);
-  json["root"] = nullptr;
-  if (meeting.met) {
-    const bool smaller = meeting.intersection.root == reference::WhichRoot::kSmaller;
-    json["root"] = smaller ? "smaller" : "larger";
-  }
+  const bool smaller = meeting.intersection.root == reference::WhichRoot::kSmaller;
+  json["root"] = meeting.met ? Json(smaller ? "smaller" : "larger") : Json(nullptr);
   if (meeting.s) json["s"] = json_of(*meeting.s);
   if (meeting.other_s) json["other_s"] = json_of(*meeting.other_s);
   return json;
@@ -126,8 +117,7 @@ Json proof_json(const reference::Proof& proof) {
                      {"|up x (E - A)|", json_of(proof.roots->u)}};
     if (proof.roots->length) json["roots"]["|P - E|"] = json_of(*proof.roots->length);
   }
-  if (!proof.meetings.empty()) json["spheres"] = Json::array();
-  for (const auto& meeting : proof.meetings) json["spheres"].push_back(meeting_json(meeting));
+  if (!proof.meetings.empty()) json["spheres"] = list_json(proof.meetings, meeting_json);
   return json;
 }
 

@@ -1,6 +1,5 @@
 #include "tools/report/typeset.h"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <string_view>

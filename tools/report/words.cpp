@@ -10,6 +10,7 @@
 
 #include "scene/fields.h"
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::tools {
 namespace {
@@ -72,11 +73,7 @@ std::string answer_text(properties::Quantity quantity, std::string_view symbol,
     return numbers.empty() ? "no sphere" : fmt::format("{} {}", symbol, numbers.front());
   }
   if (numbers.empty()) return "miss";
-  std::string text;
-  for (const double x : numbers) {
-    if (!text.empty()) text += ", ";
-    text += scene::digits_and_hexfloat(x);
-  }
+  const std::string text = scene::joined(numbers, ", ", scene::digits_and_hexfloat);
   return symbol.empty() ? text : fmt::format("{} = {}", symbol, text);
 }
 

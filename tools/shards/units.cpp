@@ -1,9 +1,7 @@
 #include "tools/shards/units.h"
 
 #include <fmt/core.h>
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <fstream>
@@ -13,7 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "scene/invalid_input.h"
 #include "tools/report/digest.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"

@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress.h"

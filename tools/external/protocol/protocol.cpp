@@ -1,6 +1,6 @@
 #include "tools/external/protocol/protocol.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

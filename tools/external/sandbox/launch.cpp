@@ -1,7 +1,6 @@
 #include "tools/external/sandbox/launch.h"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <poll.h>
 #include <spawn.h>

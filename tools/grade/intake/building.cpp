@@ -1,6 +1,5 @@
 #include "tools/grade/intake/building.h"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -39,19 +38,16 @@ std::string head_of(const fs::path& path) {
   return file_bytes(path, kFirstBytes);
 }
 
-bool is_program(const fs::path& path) {
-  return is_executable(path) && path.filename().string().find(".so") == std::string::npos &&
-         is_program_here(head_of(path));
-}
-
 /// The programs that a build made in its folder, sorted: tests last, then by the recipe's order of
 /// names, by likelihood_rank(), and by age.
 std::vector<std::string> made_programs(const fs::path& folder,
                                        const std::vector<std::string>& likely) {
   std::set<std::tuple<bool, std::ptrdiff_t, int, fs::file_time_type::duration, std::string>> found;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file() || !is_program(entry.path())) continue;
     const std::string name = entry.path().filename().string();
+    if (!entry.is_regular_file() || name.find(".so") != std::string::npos ||
+        !is_executable(entry.path()) || !is_program_here(head_of(entry.path())))
+      continue;
     const std::string path = fs::relative(entry.path(), folder).string();
     const int rank = likelihood_rank(name);
     found.emplace(rank == kHardlyARenderer || is_aside(path),

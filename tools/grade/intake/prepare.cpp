@@ -9,7 +9,6 @@
 #include <fstream>
 #include <limits>
 #include <set>
-#include <system_error>
 
 #include "contract/declarations.h"
 #include "scene/text.h"

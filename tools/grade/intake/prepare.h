@@ -1,11 +1,7 @@
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "properties/run_control.h"
 #include "tools/external/locate.h"

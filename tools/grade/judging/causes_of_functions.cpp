@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/fault.h"

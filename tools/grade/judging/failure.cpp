@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <exception>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/case.h"

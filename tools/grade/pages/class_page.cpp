@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "scene/text.h"
 #include "tools/grade/pages/views.h"

@@ -1,6 +1,5 @@
 // The findings of a dry run of a class: grade() with `probe`.
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

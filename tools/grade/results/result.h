@@ -16,7 +16,6 @@
 #include "properties/candidate.h"
 #include "properties/decision.h"
 #include "properties/discrepancy.h"
-#include "properties/truth.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/pictures/dry_run.h"
 #include "tools/external/sandbox/launch.h"

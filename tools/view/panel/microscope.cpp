@@ -69,18 +69,12 @@ double middle(const Enclosure& value) {
   return low / 2 + high / 2;
 }
 
-/// The next number of a format in the direction of `towards`.
-double next_of(double value, double towards, scene::Precision precision) {
-  if (precision == scene::Precision::kDouble) return std::nextafter(value, towards);
-  return std::nextafter(static_cast<float>(value), static_cast<float>(towards));
-}
-
 /// The gap between numbers of a format around a number.
 double ulp_at(double value, scene::Precision precision) {
   const double size = std::abs(value);
-  const double above = next_of(size, HUGE_VAL, precision);
-  return std::isfinite(above) ? above - next_of(above, 0, precision)
-                              : size - next_of(size, 0, precision);
+  const double above = scene::next_after(precision, size, HUGE_VAL);
+  return std::isfinite(above) ? above - scene::next_after(precision, above, 0)
+                              : size - scene::next_after(precision, size, 0);
 }
 
 Enclosure3 scaled(const Enclosure3& v, const Enclosure& factor) {
@@ -318,10 +312,11 @@ Json look(const ExplainReport& report, const reference::ExactRay& ray, const sce
   const std::vector<Zoom> zooms = zooms_of(plane, scope);
   Json grid = Json::array();
   double neighbour = scope.parameter;
-  for (int k = 0; k < kGridSteps; ++k) neighbour = next_of(neighbour, -HUGE_VAL, scope.precision);
+  for (int k = 0; k < kGridSteps; ++k)
+    neighbour = scene::next_after(scope.precision, neighbour, -HUGE_VAL);
   for (int k = -kGridSteps; k <= kGridSteps && std::isfinite(neighbour); ++k) {
     grid.push_back(six_digits(middle(plane.x_of(neighbour, scope.ulp))));
-    neighbour = next_of(neighbour, HUGE_VAL, scope.precision);
+    neighbour = scene::next_after(scope.precision, neighbour, HUGE_VAL);
   }
   const auto mark_json = [&](const MicroscopeMark& mark) {
     return Json{{"name", mark.method},
