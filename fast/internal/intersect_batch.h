@@ -43,6 +43,9 @@ HWY_INLINE SphereOf<N> sphere_of(const scene::Sphere& sphere) {
 HWY_INLINE RayOf<Lanes> load(const RayArrays& from, std::size_t k) {
   return {load(from.origin, k), load(from.direction, k)};
 }
+HWY_INLINE SphereOf<Lanes> load(const SphereArrays& from, std::size_t k) {
+  return {load(from.centre, k), load(from.radius + k)};
+}
 
 /// Roots, in the number type that a method computes in.
 template <class N>
@@ -225,7 +228,7 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
   if (rest == 0) return valid;
   // The last vector is filled up with copies of the last ray.
   const std::size_t first = part.count;
-  double given[6][kLanes];
+  double given[10][kLanes];
   double found[4][kLanes];
   std::uint8_t hit[kLanes];
   for (std::size_t k = 0; k < kLanes; ++k) {
@@ -233,10 +236,14 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
     for (std::size_t axis = 0; axis < 3; ++axis) {
       given[axis][k] = input.rays.origin[axis][ray];
       given[3 + axis][k] = input.rays.direction[axis][ray];
+      if (input.spheres != nullptr) given[6 + axis][k] = input.spheres->centre[axis][ray];
     }
+    if (input.spheres != nullptr) given[9][k] = input.spheres->radius[ray];
   }
   part.count = kLanes;
   part.rays = {{given[0], given[1], given[2]}, {given[3], given[4], given[5]}};
+  const SphereArrays spheres = {{given[6], given[7], given[8]}, given[9]};
+  if (input.spheres != nullptr) part.spheres = &spheres;
   const bool rest_is_valid = whole_vectors(part, {hit, found[0], {found[1], found[2], found[3]}});
   for (std::size_t k = 0; k < rest; ++k) {
     answers.hit[first + k] = hit[k];

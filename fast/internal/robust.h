@@ -11,19 +11,28 @@
 
 #include <optional>
 
+#include "fast/decide.h"
 #include "fast/internal/batch_arrays.h"
 
 namespace raycheck::fast {
 
+/// The answer to one ray: `code` as decide() writes it; `at` is valid only for hits and tangents.
+struct Decided {
+  std::uint8_t code = kMiss;
+  Hit at = {};
+
+  std::optional<Hit> if_hit() const { return code != kMiss ? std::optional(at) : std::nullopt; }
+};
+
 /// The answer in pairs of doubles, after scaling by powers of two; empty if it cannot be proved.
-std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,
-                                      scene::Root root);
+std::optional<Decided> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,
+                                       scene::Root root);
 
 /// The answer in integers.
 /// Domain: all doubles; invalid input (scene/validate.h) counts as a miss.
 /// Error:  none in the class. s is rounded once, from a value with a relative error of at most
 ///         2^-120. Each coordinate of Q is rounded once, from a value that is off by at most 2^-120
 ///         of that of s d. If sqrt(disc) is an integer, s is correctly rounded.
-Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule);
+Decided answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule);
 
 }  // namespace raycheck::fast

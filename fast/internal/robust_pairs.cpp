@@ -85,9 +85,9 @@ DoubleDouble absolute(const DoubleDouble& x) { return x.high < 0 ? -x : x; }
 
 }  // namespace
 
-std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,
-                                      scene::Root root) {
-  const Chosen miss{};
+std::optional<Decided> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,
+                                       scene::Root root) {
+  const Decided miss{};
   const Vector3d origin = eigen(ray.origin);
   const Vector3d centre = eigen(sphere.centre);
   double radius = sphere.radius;
@@ -148,9 +148,9 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
     if (!std::isfinite(point)) return point;
     return static_cast<double>(DoubleDouble(centre[k]) - from_point);
   };
-  return Chosen{true,
-                {std::ldexp(s.high, length_exponent - direction_exponent),
-                 {coordinate(0), coordinate(1), coordinate(2)}}};
+  return Decided{outside ? kHit : static_cast<std::uint8_t>(kHit | kLargerRoot),
+                 {std::ldexp(s.high, length_exponent - direction_exponent),
+                  {coordinate(0), coordinate(1), coordinate(2)}}};
 }
 
 }  // namespace raycheck::fast

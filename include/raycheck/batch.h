@@ -16,7 +16,7 @@
 // libraycheck: your compiler flags change no answer.
 //
 // Answers: those of ray k are at index k; see raycheck_pairing. Answers that are not wanted have
-// the pointer null. Of a miss, all numbers are infinite.
+// the pointer null. Of a miss, all numbers are NaN; where no sphere is seen, they are infinite.
 //
 // Invalid rays and spheres (a NaN or an infinity, the direction 0, a radius below 0) change no
 // other answer. Their own classes are RAYCHECK_INVALID, their numbers NaN, and the function
