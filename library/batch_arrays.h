@@ -210,6 +210,7 @@ class Questions {
   scene::Sphere sphere(std::size_t k) const {
     return {centre.at<scene::Point3>(k), radius.number(k)};
   }
+  bool is_of_camera() const { return camera_.has_value(); }
   const scene::Camera& camera() const { return camera_->camera(); }
   std::size_t threads() const { return threads_; }
   /// The exact ray; empty if it is not valid.

@@ -153,7 +153,8 @@ typedef struct raycheck_seen {
   raycheck_output s_error;  ///< A certified bound on |s - the exact s|.
 } raycheck_seen;
 
-/// Lower and upper ends: neighbouring doubles, or equal if the number is a double.
+/// Lower and upper ends: neighbouring doubles, or equal if the number is a double. D and P have one
+/// answer for each ray.
 typedef struct raycheck_enclosed {
   raycheck_output s_lower, s_upper;                       ///< s
   raycheck_output3 point_lower, point_upper;              ///< Q
@@ -161,8 +162,8 @@ typedef struct raycheck_enclosed {
   raycheck_output3 pixel_point_lower, pixel_point_upper;  ///< P; of a given ray, its origin.
 } raycheck_enclosed;
 
-/// Numbers for each ray and sphere: correctly rounded to the array's type (raycheck_round()), or
-/// condition numbers, one for each (raycheck_condition()), which then stands at x, y and z.
+/// Numbers, correctly rounded to the array's type (raycheck_round()), or their condition numbers
+/// (raycheck_condition()), which are the same at x, y and z. D and P have one answer for each ray.
 typedef struct raycheck_values {
   raycheck_output s;             ///< s
   raycheck_output3 point;        ///< Q
