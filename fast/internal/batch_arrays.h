@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "fast/intersect.h"
 
@@ -74,8 +75,9 @@ struct BatchInput {
 /// invalid; the answers are then meaningless.
 using BatchKernel = bool (*)(const BatchInput&, const HitArrays&);
 
-/// IntersectMethod::intersect with the target's kernel.
-void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
-                  scene::HitRule rule, Hits& hits);
+/// IntersectMethod::intersect with the target's kernel; returns what the kernel was given.
+std::pair<BatchInput, HitArrays> intersect_by(BatchKernel kernel, const Rays& rays,
+                                              const scene::Sphere& sphere, scene::HitRule rule,
+                                              Hits& hits);
 
 }  // namespace raycheck::fast

@@ -9,6 +9,7 @@
 #define RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_
 #endif
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -43,8 +44,10 @@ HWY_INLINE SphereOf<N> sphere_of(const scene::Sphere& sphere) {
 HWY_INLINE RayOf<Lanes> load(const RayArrays& from, std::size_t k) {
   return {load(from.origin, k), load(from.direction, k)};
 }
+/// A radius below 0 is loaded as NaN.
 HWY_INLINE SphereOf<Lanes> load(const SphereArrays& from, std::size_t k) {
-  return {load(from.centre, k), load(from.radius + k)};
+  const Lanes radius = load(from.radius + k);
+  return {load(from.centre, k), select(radius >= Lanes(0.0), radius, Lanes(std::nan("")))};
 }
 
 /// Roots, in the number type that a method computes in.

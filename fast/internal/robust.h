@@ -24,6 +24,25 @@ struct Decided {
   std::optional<Hit> if_hit() const { return code != kMiss ? std::optional(at) : std::nullopt; }
 };
 
+/// A block of rays and spheres for the second step, scaled by powers of two where necessary, and
+/// its answers. T = to_centre + rest; s and C - Q are pairs, too.
+struct PairBlock {
+  static constexpr std::size_t kSize = 64;
+  double to_centre[3][kSize], rest[3][kSize], direction[3][kSize], radius[kSize];
+  std::uint8_t code[kSize];  ///< kOpen: not proved.
+  double s[kSize], s_rest[kSize];
+  double from_point[3][kSize], from_rest[3][kSize];
+  scene::Point3 centre[kSize];
+  int length_exponent[kSize], exponent[kSize];  ///< Of C - Q and of s.
+
+  /// Puts ray k; false if it can only be answered in integers.
+  bool put(std::size_t k, const scene::Ray& ray, const scene::Sphere& sphere);
+  /// Answers rays 0 to count - 1.
+  void answer(std::size_t count, scene::Root root);
+  /// The answer to ray k.
+  Decided at(std::size_t k) const;
+};
+
 /// The answer in pairs of doubles, after scaling by powers of two; empty if it cannot be proved.
 std::optional<Decided> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,
                                        scene::Root root);

@@ -72,8 +72,7 @@ struct Ball {
                             N(Required::kMostReach));
     const N margin = N(Required::kSurfaceShare) * square + share * (reach * reach);
     // Comparisons with NaN fail, so that nothing is certain.
-    const N known = select((square < N(Required::kLargestSquare)) & (sphere.radius >= N(0)), square,
-                           N(std::nan("")));
+    const N known = select(square < N(Required::kLargestSquare), square, N(std::nan("")));
     inside = known - margin;
     outside = known + margin;
   }

@@ -386,6 +386,10 @@ TEST(Batch, NamesWhatIsNotValidAndAnswersTheRest) {
   wrong = right;
   wrong.spheres[0].centre.z = nan;
   expect(wrong, 0, "centre", "is not finite");
+  wrong.spheres = {{{0, 0, 0}, -1}};  // one for all rays
+  EXPECT_EQ(wrong.decide(), RAYCHECK_INVALID_INPUT);
+  EXPECT_EQ(std::string(batch::error().array), "radius");
+  EXPECT_EQ(std::count(wrong.hit_class.begin(), wrong.hit_class.end(), RAYCHECK_INVALID), 2000);
 }
 
 TEST(Batch, RefusesArraysThatDoNotFit) {

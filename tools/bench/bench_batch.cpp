@@ -121,6 +121,27 @@ struct Rays {
   }
 };
 
+/// Rays and spheres of all sources of given rays, and of all severities.
+Rays of_families() {
+  constexpr int kCases = 10;
+  std::vector<scene::Ray> rays;
+  std::vector<scene::Sphere> spheres;
+  for (const properties::CaseSource& source : properties::case_sources()) {
+    if (source.has_camera || !source.severities) continue;
+    for (int severity = 0; severity <= source.severities->highest; ++severity) {
+      for (std::uint64_t seed = 0; seed < kCases; ++seed) {
+        const auto made = properties::ChosenSource{&source, severity}.make(seed);
+        rays.push_back(made.scene.rays.front());
+        spheres.push_back(made.scene.spheres.front());
+      }
+    }
+  }
+  fast::Rays arrays;
+  arrays.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) arrays.set(k, rays[k]);
+  return {arrays, spheres};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -137,7 +158,8 @@ int main(int argc, char** argv) {
   }
   Rays each(one.rays, own);
   const std::size_t count = one.rays.size();
-  if (!one.is_right() || !each.is_right()) {
+  Rays hard = of_families();
+  if (!one.is_right() || !each.is_right() || !hard.is_right()) {
     std::fprintf(stderr, "classes are wrong\n");
     return 1;
   }
@@ -155,6 +177,8 @@ int main(int argc, char** argv) {
   pair("decide, N spheres", count, each.decide(false), quadratic, count,
        by(fast::kQuadratic, one.rays));
   pair("decide with bounds, N spheres", count, each.decide(true), quadratic, count,
+       by(fast::kQuadratic, one.rays));
+  pair("decide, families and severities", hard.rays.size(), hard.decide(false), quadratic, count,
        by(fast::kQuadratic, one.rays));
   return 0;
 }
