@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -170,11 +171,20 @@ int exponent_of(double size) {
   return size >= kLeastPlain && size <= kMostPlain ? 0 : std::ilogb(size);
 }
 
-template <class Values>
-void scale(Values& values, std::size_t k, int exponent) {
-  if (exponent == 0) return;
-  for (auto& one : values) one[k] = std::ldexp(one[k], exponent);
-}
+/// 2^exponent as a product of two doubles: multiplying by them is much faster than std::ldexp, and
+/// as exact unless the result is subnormal.
+struct PowerOfTwo {
+  double half, other;
+  explicit PowerOfTwo(int exponent) : half(of(exponent / 2)), other(of(exponent - exponent / 2)) {}
+  void scale(double (&values)[3][PairBlock::kSize], std::size_t k) const {
+    for (auto& one : values) one[k] = one[k] * half * other;
+  }
+
+ private:
+  static double of(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+  }
+};
 
 double most(const double (&values)[3][PairBlock::kSize], std::size_t k) {
   return std::max({std::abs(values[0][k]), std::abs(values[1][k]), std::abs(values[2][k])});
@@ -204,10 +214,13 @@ bool PairBlock::put(std::size_t k, const scene::Ray& ray, const scene::Sphere& s
   centre[k] = C;
   if (!(length > 0 && width > 0)) return false;
   const int shift = exponent_of(length), turn = exponent_of(width);
-  scale(to_centre, k, -shift);
-  scale(rest, k, -shift);
-  radius[k] = shift == 0 ? radius[k] : std::ldexp(radius[k], -shift);
-  scale(direction, k, -turn);
+  if (shift != 0) {
+    const PowerOfTwo less(-shift);
+    less.scale(to_centre, k);
+    less.scale(rest, k);
+    radius[k] = radius[k] * less.half * less.other;
+  }
+  if (turn != 0) PowerOfTwo(-turn).scale(direction, k);
   length_exponent[k] = lengths + shift;
   exponent[k] = length_exponent[k] - turn;
   return true;
