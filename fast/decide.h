@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "fast/internal/batch_arrays.h"
 
@@ -21,6 +22,20 @@ inline constexpr std::uint8_t kTangentRay = 8;
 /// Error:  classes and roots are exact; s and Q are off by at most kDecidedS and kDecidedPoint
 ///         (parameter_bound(), point_bound()). s and Q of misses are NaN.
 void decide(const BatchInput& input, const HitArrays& answers);
+
+/// s and C - Q of a hit to about 100 bits.
+struct PreciseHit {
+  double s, rest;  ///< |s + rest - the exact s| <= share |s|.
+  double share;    ///< Infinite if this is not known.
+  double chord;    ///< About the distance of the roots.
+  /// Each coordinate of from + from_rest is off from C - Q by at most (share + kPreciseStep) |s
+  /// d_k|
+  /// + kPreciseStep |T_k|.
+  scene::Point3 T, from, from_rest;
+};
+inline constexpr double kPreciseStep = 0x1p-98;
+/// The hits of some of the rays, by the second step of `robust`.
+void precise_hits(const BatchInput& input, std::span<const std::uint32_t> rays, PreciseHit* hits);
 
 /// |s^ - s| <= kDecidedS |s^| + the least double. Before it is rounded, s is off by 2^-56.1 of
 /// itself after the first step (fast/methods/intersect_robust.cpp), by 0.1 ulp in pairs, and by

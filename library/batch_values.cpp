@@ -2,7 +2,7 @@
 
 #include <raycheck/batch.h>
 
-#include "library/batch_arrays.h"
+#include "library/batch_block.h"
 #include "library/quantity.h"
 #include "properties/quantity.h"
 #include "reference/account/nearby_answer.h"
@@ -170,6 +170,11 @@ class ErrorsOf {
   }
 
   void judge() const {
+    if (asked_.is_usual() && asked_.spheres() > 0) {
+      asked_.for_each_block(
+          kBatchBlock, [this](std::size_t first, std::size_t count) { judge_block(first, count); });
+      return asked_.require_none_invalid();
+    }
     for_each_answer(
         asked_,
         [&](std::size_t k, const reference::ExactRay& ray, const scene::Sphere* sphere,
@@ -191,6 +196,101 @@ class ErrorsOf {
   }
   void put_invalid(std::size_t k) const {
     put(k, false, false, false, kInvalidNumber, kInvalidNumber);
+  }
+
+  /// The exact ray judges only answers whose errors pairs of doubles do not know.
+  void judge_block(std::size_t first, std::size_t count) const {
+    Work& work = work_of_thread();
+    const Block block(asked_, first, count, {}, {}, work);
+    decide_block(asked_, block);
+    std::array<std::uint32_t, kBatchBlock> hits;
+    std::size_t hit_count = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::uint8_t code = work.codes[k];
+      const bool is_hit = is_hit_.integer(first + k) != 0;
+      if (code == fast::kOpen) {
+        put_invalid(first + k);
+      } else if (code == fast::kMiss && !is_hit) {
+        put(first + k, false, false, false, 0, 0);
+      } else if ((code | fast::kLargerRoot) == (fast::kHit | fast::kLargerRoot) && is_hit) {
+        hits[hit_count++] = static_cast<std::uint32_t>(k);
+      } else {
+        judge_exactly(first + k);
+      }
+    }
+    std::array<fast::PreciseHit, kBatchBlock> precise;
+    fast::precise_hits(block.input, {hits.data(), hit_count}, precise.data());
+    for (std::size_t n = 0; n < hit_count; ++n) {
+      const std::size_t k = first + hits[n];
+      if (!judge_hit(k, block.input.ray(hits[n]), block.input.sphere_of(hits[n]), precise[n])) {
+        judge_exactly(k);
+      }
+    }
+  }
+
+  void judge_exactly(std::size_t k) const {
+    const reference::ExactRay ray(asked_.given(asked_.ray_of(k)));
+    const scene::Sphere sphere = asked_.sphere(asked_.sphere_of(k));
+    judge_one(k, {ray, sphere, ray.intersect(sphere, asked_.conventions().root)});
+  }
+
+  /// a + b, exactly, as a double and the rounding error.
+  static std::pair<double, double> two_sum(double a, double b) {
+    const double sum = a + b, of_b = sum - a;
+    return {sum, (a - (sum - of_b)) + (b - of_b)};
+  }
+  /// The roundings of the few operations below, as a share of their results.
+  static constexpr double kRoundings = 1 + 0x1p-48;
+  /// Errors are too large by at most this part of an ulp or u.
+  static constexpr double kSharp = 0x1p-12;
+
+  /// Judges a hit by its precise values; false if these do not suffice.
+  bool judge_hit(std::size_t k, const scene::Ray& ray, const scene::Sphere& sphere,
+                 const fast::PreciseHit& at) const {
+    if (!(at.share < kSharp * 0x1p-54)) return false;
+    double s_error = 0;
+    if (root_ || s_ulp_) {
+      const double given = s_.number(k);
+      const auto [difference, lost] = two_sum(given, -at.s);
+      if (!(std::abs(difference) <= 0.5 * std::abs(at.chord)) || !(difference - difference == 0)) {
+        return false;
+      }
+      s_error = (std::abs(difference + (lost - at.rest)) + (at.share + 0x1p-102) * std::abs(at.s)) *
+                kRoundings;
+      // The gap of the format's numbers below s, if s may be just below a power of two.
+      int exponent = 0;
+      const double significand = std::frexp(std::abs(at.s), &exponent);
+      const bool is_below = significand == 0.5 && at.rest - at.share * at.s < 0;
+      const scene::Format format = scene::format_of(precision_of(s_));
+      const int ulp =
+          std::max(exponent - (is_below ? 1 : 0) - format.digits, format.least_exponent);
+      s_error = std::ldexp(s_error, -ulp);
+    }
+    double Q_error = 0;
+    if (point_u_) {
+      const scene::Point3 given = point_.at<scene::Point3>(k);
+      double error_sq = 0, size_sq = 0, doubt_sq = 0;
+      const auto add = [&](double Q, double C, double d, double T, double from, double rest) {
+        const auto [apart, lost] = two_sum(Q, -C);
+        const double doubt = (at.share + fast::kPreciseStep) * std::abs(at.s * d) +
+                             fast::kPreciseStep * (std::abs(T) + std::abs(C) + std::abs(Q));
+        const auto [difference, difference_lost] = two_sum(apart, from);
+        const double error = std::abs(difference + (difference_lost + (lost + rest))) + doubt;
+        const double size = std::max(0.0, std::abs(C - from) * (1 - 0x1p-50) - doubt);
+        error_sq += error * error;
+        size_sq += size * size;
+        doubt_sq += doubt * doubt;
+      };
+      add(given.x, sphere.centre.x, ray.direction.x, at.T.x, at.from.x, at.from_rest.x);
+      add(given.y, sphere.centre.y, ray.direction.y, at.T.y, at.from.y, at.from_rest.y);
+      add(given.z, sphere.centre.z, ray.direction.z, at.T.z, at.from.z, at.from_rest.z);
+      const double u = unit_roundoff(precision_of(point_.x));
+      Q_error = std::sqrt(error_sq / size_sq) / u * kRoundings;
+      const double doubt = std::sqrt(doubt_sq / size_sq) / u;
+      if (!(doubt < kSharp && Q_error < 0x1p300)) return false;
+    }
+    put(k, false, false, false, s_error, Q_error);
+    return true;
   }
 
   void judge_one(std::size_t k, const Meeting& of) const {

@@ -29,8 +29,8 @@ struct Decided {
 struct PairBlock {
   static constexpr std::size_t kSize = 64;
   double to_centre[3][kSize], rest[3][kSize], direction[3][kSize], radius[kSize];
-  std::uint8_t code[kSize];  ///< kOpen: not proved.
-  double s[kSize], s_rest[kSize];
+  std::uint8_t code[kSize];                                    ///< kOpen: not proved.
+  double s[kSize], s_rest[kSize], share[kSize], chord[kSize];  ///< As in PreciseHit.
   double from_point[3][kSize], from_rest[3][kSize];
   scene::Point3 centre[kSize];
   int length_exponent[kSize], exponent[kSize];  ///< Of C - Q and of s.

@@ -107,8 +107,8 @@ void pairs_of_block(std::size_t count, scene::Root root, PairBlock& block) {
     const Rounded<Lanes> distance_sq = dot(T, T);
     const Lanes size = distance_sq.x + radius_sq.x;
     Rounded<Lanes> c = distance_sq - radius_sq;
-    LaneMask c_is_precise = absolute(c.x) > Lanes(kPreciseC) * size;
-    LaneMask c_is_known = c_is_precise;
+    const LaneMask first_is_precise = absolute(c.x) > Lanes(kPreciseC) * size;
+    LaneMask c_is_precise = first_is_precise, c_is_known = first_is_precise;
     if (!all(c_is_precise)) {
       c = select(c_is_precise, c, long_sum_c(T, r));
       c_is_known = c_is_known | (absolute(c.x) > Lanes(kLongSumMargin) * size);
@@ -141,6 +141,12 @@ void pairs_of_block(std::size_t count, scene::Root root, PairBlock& block) {
     store_bytes(hit, kHit, block.code + k);
     store_bytes(hit & !outside, kLargerRoot, block.code + k);
     store_bytes(!(hit | miss), kOpen, block.code + k);
+    // The error of q is at most margin/2 through sqrt(disc), and through b; a, the quotient and
+    // sums add less than 2^-99.
+    const Lanes of_c = select(first_is_precise, Lanes(0x1p-99), Lanes(0x1p-146)) * size;
+    const Lanes share = margin / (discriminant_root.x * q.x) + Lanes(0x1p-97);
+    store(select(through_c, share + of_c / absolute(c.x), share), block.share + k);
+    store((discriminant_root.x + discriminant_root.x) / a.x, block.chord + k);
     store(s.x, block.s + k);
     store(s.error, block.s_rest + k);
     store(Triple<Lanes>{from_point.x.x, from_point.y.x, from_point.z.x},
@@ -193,15 +199,15 @@ double most(const double (&values)[3][PairBlock::kSize], std::size_t k) {
 }  // namespace
 
 bool PairBlock::put(std::size_t k, const scene::Ray& ray, const scene::Sphere& sphere) {
-  const auto& [o, d] = ray;
-  const auto& [C, r] = sphere;
+  const scene::Point3 &o = ray.origin, &C = sphere.centre;
+  const scene::Vector3& d = ray.direction;
   const auto set = [&](double factor) {
     const Rounded<double> x = two_sum(factor * C.x, factor * -o.x);
     const Rounded<double> y = two_sum(factor * C.y, factor * -o.y);
     const Rounded<double> z = two_sum(factor * C.z, factor * -o.z);
     to_centre[0][k] = x.x, to_centre[1][k] = y.x, to_centre[2][k] = z.x;
     rest[0][k] = x.error, rest[1][k] = y.error, rest[2][k] = z.error;
-    radius[k] = factor * r;
+    radius[k] = factor * sphere.radius;
   };
   set(1);
   int lengths = 0;
@@ -254,6 +260,25 @@ Decided PairBlock::at(std::size_t k) const {
   return {code[k],
           {exponent[k] == 0 ? s[k] : std::ldexp(s[k], exponent[k]),
            {coordinate(0, x), coordinate(1, y), coordinate(2, z)}}};
+}
+
+void precise_hits(const BatchInput& input, std::span<const std::uint32_t> rays, PreciseHit* hits) {
+  PairBlock block;
+  for (std::size_t first = 0; first < rays.size(); first += PairBlock::kSize) {
+    const auto some = rays.subspan(first, std::min(PairBlock::kSize, rays.size() - first));
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      block.put(k, input.ray(some[k]), input.sphere_of(some[k]));
+    }
+    block.answer(some.size(), input.rule.root);
+    for (std::size_t k = 0; k < some.size(); ++k, ++hits) {
+      const bool is_known =
+          (block.code[k] & kHit) != 0 && block.length_exponent[k] == 0 && block.exponent[k] == 0;
+      const auto at = [&](const auto& of) { return scene::Point3{of[0][k], of[1][k], of[2][k]}; };
+      *hits = {block.s[k],         block.s_rest[k],     is_known ? block.share[k] : HUGE_VAL,
+               block.chord[k],     at(block.to_centre), at(block.from_point),
+               at(block.from_rest)};
+    }
+  }
 }
 
 std::optional<Decided> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,

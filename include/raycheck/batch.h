@@ -230,8 +230,9 @@ RAYCHECK_API int32_t raycheck_condition(const raycheck_rays* rays, const raychec
                                         const raycheck_options* options, const raycheck_values* to,
                                         raycheck_error* error);
 
-/// The errors of answers that were computed elsewhere: upper bounds. Shape and domain: those of
-/// raycheck_decide(). Errors are 0 where the answer or the truth is a miss.
+/// The errors of answers that were computed elsewhere: upper bounds, too large by at most 2^-12 of
+/// the unit and 2^-16 of themselves. Shape and domain: those of raycheck_decide(). Errors are 0
+/// where the answer or the truth is a miss.
 RAYCHECK_API int32_t raycheck_error_of(const raycheck_rays* rays, const raycheck_spheres* spheres,
                                        const raycheck_options* options,
                                        const raycheck_answers* answers, const raycheck_errors* to,

@@ -178,6 +178,65 @@ int main(int argc, char** argv) {
        by(fast::kQuadratic, one.rays));
   pair("decide with bounds, N spheres", count, each.decide(true), quadratic, count,
        by(fast::kQuadratic, one.rays));
+  std::vector<double> s_ulp(count), point_u(count);
+  std::vector<std::uint8_t> wrong(count);
+  const raycheck_answers answers = {batch::array(one.classes), batch::array(one.s),
+                                    Rays::in(one.point)};
+  const auto error_of = [&](bool with_points, int threads) {
+    return [&, with_points, threads] {
+      raycheck_errors to = {};
+      to.hit_class = batch::output(wrong);
+      to.s_ulp = batch::output(s_ulp);
+      if (with_points) to.point_u = batch::output(point_u);
+      const raycheck_options options = batch::options(threads);
+      batch::check(
+          raycheck_error_of(&one.given, &one.spheres, &options, &answers, &to, &batch::error()));
+    };
+  };
+  one.decide(true)();
+  pair("error_of, class and s", count, error_of(false, 1), quadratic, count,
+       by(fast::kQuadratic, one.rays));
+  pair("error_of, class, s and Q", count, error_of(true, 1), quadratic, count,
+       by(fast::kQuadratic, one.rays));
+  for (const std::int64_t spheres : {100, 10'000}) {
+    const scene::Scene seen = tools::in_view(spheres);
+    const std::string name = "image of " + std::to_string(spheres) + " spheres";
+    const reference::Visibility visibility(
+        seen, scene::plan_scene(seen, seen.conventions, scene::Wanted::kNearest));
+    const Rays balls(fast::Rays{}, seen.spheres);
+    const scene::Camera& c = *seen.camera;
+    const auto triple = [](const auto& v) { return raycheck_vector{v.x, v.y, v.z}; };
+    const raycheck_camera camera = {triple(c.eye), triple(c.look_at), triple(c.up), c.near,
+                                    c.left,        c.right,           c.bottom,     c.top,
+                                    c.width,       c.height};
+    const auto pixels = static_cast<std::size_t>(c.width * c.height);
+    std::vector<std::int32_t> sphere(pixels), others(pixels);
+    std::vector<double> s(pixels);
+    const raycheck_options options = batch::options();
+    raycheck_seen to = {};
+    to.sphere = batch::output(sphere);
+    to.s = batch::output(s);
+    const Action draw = [&] {
+      batch::check(raycheck_image(&camera, &balls.spheres, &options, &to, &batch::error()));
+    };
+    const Action see = [&] {
+      const reference::Visibility made(
+          seen, scene::plan_scene(seen, seen.conventions, scene::Wanted::kNearest));
+      made.nearest(0, c.height, {others, s, {}, {}, {}});
+    };
+    draw();
+    see();
+    if (sphere != others) return 1;
+    pair(name.c_str(), pixels, draw, "plan and Visibility", pixels, see);
+  }
+  // Blocks of many rays, by one thread and by two.
+  constexpr std::size_t kMany = 4'000'003;
+  fast::Rays repeated;
+  repeated.resize(kMany);
+  for (std::size_t k = 0; k < kMany; ++k) repeated.set(k, one.rays.at(k % count));
+  Rays many(std::move(repeated), {sphere});
+  pair("decide with bounds, two threads", kMany, many.decide(true, 2), "one thread", kMany,
+       many.decide(true, 1));
   pair("decide, families and severities", hard.rays.size(), hard.decide(false), quadratic, count,
        by(fast::kQuadratic, one.rays));
   return 0;
