@@ -37,11 +37,15 @@ struct PairBlock {
 
   /// Puts ray k; false if it can only be answered in integers.
   bool put(std::size_t k, const scene::Ray& ray, const scene::Sphere& sphere);
-  /// Answers rays 0 to count - 1.
-  void answer(std::size_t count, scene::Root root);
+  /// Answers rays 0 to count - 1; s_rest, share and chord only if it is_precise.
+  void answer(std::size_t count, scene::Root root, bool is_precise = false);
   /// The answer to ray k.
   Decided at(std::size_t k) const;
 };
+
+/// Answers the rays that the first step left open; invalid rays and spheres stay open. Codes are
+/// those of decide() or, without roots, 1 and 0.
+void settle(const BatchInput& input, const HitArrays& to, bool has_roots);
 
 /// The answer in pairs of doubles, after scaling by powers of two; empty if it cannot be proved.
 std::optional<Decided> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,

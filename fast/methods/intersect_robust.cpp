@@ -235,61 +235,6 @@ HWY_EXPORT(robust_batch);
 HWY_EXPORT(decide_batch);
 HWY_EXPORT(robust_one);
 
-bool is_valid(const scene::Ray& ray, const scene::Sphere& sphere) {
-  const auto& [o, d] = ray;
-  const auto& [c, r] = sphere;
-  // x - x is 0 for a finite x, else NaN.
-  const double sum = ((o.x - o.x) + (o.y - o.y)) + ((o.z - o.z) + (d.x - d.x)) +
-                     ((d.y - d.y) + (d.z - d.z)) + ((c.x - c.x) + (c.y - c.y)) +
-                     ((c.z - c.z) + (r - r));
-  return sum == 0 && r >= 0 && d != scene::Vector3{};
-}
-
-/// Answers the rays that the first step left open; invalid rays and spheres stay open. The codes
-/// of other methods are 1 and 0.
-void settle(const BatchInput& input, const HitArrays& to, bool has_roots) {
-  PairBlock block;
-  std::size_t places[PairBlock::kSize];
-  std::size_t waiting = 0;
-  const auto set = [&](std::size_t k, const Decided& decided) {
-    to.hit[k] = has_roots ? decided.code : decided.code & kHit;
-    if (decided.code == kMiss) return;
-    to.parameter[k] = decided.at.parameter;
-    to.point[0][k] = decided.at.point.x;
-    to.point[1][k] = decided.at.point.y;
-    to.point[2][k] = decided.at.point.z;
-  };
-  const auto by_integers = [&](std::size_t k) {
-    set(k, answer_by_integers(input.ray(k), input.sphere_of(k), input.rule));
-  };
-  const auto flush = [&] {
-    if (waiting == 0) return;
-    block.answer(waiting, input.rule.root);
-    for (std::size_t n = 0; n < waiting; ++n) {
-      block.code[n] == kOpen ? by_integers(places[n]) : set(places[n], block.at(n));
-    }
-    waiting = 0;
-  };
-  std::uint8_t* const last = to.hit + input.count;
-  for (std::uint8_t* open = to.hit; open != last; ++open) {
-    // Faster than std::find, which compares byte by byte.
-    open =
-        static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
-    if (open == nullptr) break;
-    const auto k = static_cast<std::size_t>(open - to.hit);
-    const scene::Ray ray = input.ray(k);
-    const scene::Sphere sphere = input.sphere_of(k);
-    if (!is_valid(ray, sphere)) continue;
-    if (!block.put(waiting, ray, sphere)) {
-      by_integers(k);
-      continue;
-    }
-    places[waiting++] = k;
-    if (waiting == PairBlock::kSize) flush();
-  }
-  flush();
-}
-
 void intersect_by_robust(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule,
                          Hits& hits) {
   const auto& [input, answers] =
