@@ -371,7 +371,7 @@ class Image {
   std::optional<reference::Visibility> visibility_;
 };
 
-/// The options with the pairing that functions of rays alone have.
+/// The options of functions whose answers are of rays, whatever their pairing is.
 std::optional<raycheck_options> with_every(const raycheck_options* options) {
   if (options == nullptr) return {};
   raycheck_options made = *options;

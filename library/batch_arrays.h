@@ -224,7 +224,7 @@ class Questions {
   void for_each_block(std::size_t most, const Body& body) const {
     blocks_of_rays(most, each_with_every_ ? spheres_ : 1, body);
   }
-  /// The same for answers about rays alone.
+  /// The same for answers of rays, whatever the pairing is.
   template <class Body>
   void for_each_block_of_rays(std::size_t most, const Body& body) const {
     blocks_of_rays(most, 1, body);

@@ -546,7 +546,7 @@ TEST(Batch, DrawsTheImageOfTheExactRays) {
   }
 }
 
-/// Mirror images: every pixel of the middle column sees both spheres at one s.
+/// Mirror images: every pixel of the middle column meets both spheres at one s.
 TEST(Batch, CountsTheTiesOfDifferentSpheresInAnImage) {
   const Camera camera{{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, -1, -.2, .2, -.2, .2, 33, 33};
   Many many;
