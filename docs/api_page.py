@@ -20,7 +20,7 @@ HEADERS = ROOT / "include/raycheck"
 PAGE = ROOT / "docs/api.md"
 SKIPPED = 77
 # In the order of the page; headers that others include come first.
-ORDER = ["scene", "exact", "cases", "judge", "law_tests", "gtest", "catch2", "doctest", "rapidcheck",
+ORDER = ["scene", "exact", "batch", "cases", "judge", "law_tests", "gtest", "catch2", "doctest", "rapidcheck",
          "fuzz", "api"]
 CONFIGURATION = f"""
 INPUT = {HEADERS}
@@ -43,7 +43,8 @@ TOP = """# The API of libraycheck
 <!-- Written by `python3 docs/api_page.py` from the comments of include/raycheck: change those. -->
 
 [library.md](library.md) shows how to use the library. [candidates.md](candidates.md) describes `raycheck/candidate.h` and
-`candidate.hpp`, which are for code that the program `raycheck` judges. Everything is in the namespace `raycheck`.
+`candidate.hpp`, which are for code that the program `raycheck` judges. Everything is in the
+namespace `raycheck`, except the names of `raycheck/batch.h`, which is in C.
 """
 
 
@@ -91,6 +92,10 @@ def arguments(member):
     return f"({', '.join(texts)})" + "".join(said)
 
 
+def is_c(name):
+    return name.startswith("raycheck_")
+
+
 def signature(member):
     """A declaration; its name includes the namespace if that is nested in raycheck."""
     kind, name = member.get("kind"), member.findtext("name")
@@ -101,7 +106,7 @@ def signature(member):
         return f"#define {name}" + (f"({', '.join(parameters)})" if parameters else "")
     if kind == "enum":
         values = ", ".join(code(value.find("name")) for value in member.findall("enumvalue"))
-        return f"enum class {name} {{ {values} }}"
+        return f"enum {'' if is_c(name) else 'class '}{name} {{ {values} }}"
     words_before = [word for word in ("explicit", "static") if member.get(word) == "yes"]
     type_text = code(member.find("type"))
     before = " ".join(words_before + [type_text]).strip()
@@ -200,7 +205,7 @@ def page(folder):
     for path in sorted(pathlib.Path(folder, "xml").glob("*.xml")):
         for compound in ElementTree.parse(path).getroot().findall("compounddef"):
             kind, name = compound.get("kind"), compound.findtext("compoundname")
-            if kind in ("struct", "class") and name.startswith("raycheck::"):
+            if kind in ("struct", "class") and name.startswith(("raycheck::", "raycheck_")):
                 if compound.get("prot") == "public" and not name.endswith("::Impl"):
                     made.add(place(compound), made.of_class(compound))
             elif kind == "namespace" and name.startswith("raycheck"):
@@ -209,6 +214,11 @@ def page(folder):
                     made.add(place(member),
                              made.of_enum(member) if is_enum else made.of_function(member))
             elif kind == "file":
+                for member in compound.findall("sectiondef/memberdef"):
+                    if is_c(member.findtext("name")) and member.get("kind") in ("enum", "function"):
+                        is_enum = member.get("kind") == "enum"
+                        made.add(place(member),
+                                 made.of_enum(member) if is_enum else made.of_function(member))
                 for member in compound.findall("sectiondef/memberdef[@kind='define']"):
                     if not member.findtext("name").endswith("_H_"):
                         made.add(place(member), made.of_function(member))

@@ -51,8 +51,9 @@ void require_valid(const Rays& rays, const scene::Sphere& sphere) {
   }
 }
 
-void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
-                  scene::HitRule rule, Hits& hits) {
+std::pair<BatchInput, HitArrays> intersect_by(BatchKernel kernel, const Rays& rays,
+                                              const scene::Sphere& sphere, scene::HitRule rule,
+                                              Hits& hits) {
   scene::require_valid(sphere);
   hits.resize(rays.size());
   const auto& [origin, direction] = rays;
@@ -65,6 +66,7 @@ void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sph
                              hits.parameter.data(),
                              {hits.point.x.data(), hits.point.y.data(), hits.point.z.data()}};
   if (!kernel(input, answers)) require_valid(rays, sphere);
+  return {input, answers};
 }
 
 std::vector<std::optional<FirstHit>> nearest_spheres(const IntersectMethod& method,

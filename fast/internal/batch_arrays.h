@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "fast/intersect.h"
 
@@ -43,20 +44,40 @@ inline constexpr auto kBytesOfBits = [] {
   return bytes;
 }();
 
+/// One array for each number of spheres.
+struct SphereArrays {
+  const double* centre[3];
+  const double* radius;
+};
+
 /// The inputs of IntersectMethod::intersect.
 struct BatchInput {
   std::size_t count;
   RayArrays rays;
   scene::Sphere sphere;
   scene::HitRule rule;
+  /// If set, ray k is compared with sphere k of these. Only decide() uses it.
+  const SphereArrays* spheres = nullptr;
+
+  scene::Ray ray(std::size_t k) const {
+    const auto& [origin, direction] = rays;
+    return {{origin[0][k], origin[1][k], origin[2][k]},
+            {direction[0][k], direction[1][k], direction[2][k]}};
+  }
+  scene::Sphere sphere_of(std::size_t k) const {
+    if (spheres == nullptr) return sphere;
+    const auto& centre = spheres->centre;
+    return {{centre[0][k], centre[1][k], centre[2][k]}, spheres->radius[k]};
+  }
 };
 
 /// Gives each ray the answer of the method's intersect_one(). Returns false if a ray may be
 /// invalid; the answers are then meaningless.
 using BatchKernel = bool (*)(const BatchInput&, const HitArrays&);
 
-/// IntersectMethod::intersect with the target's kernel.
-void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
-                  scene::HitRule rule, Hits& hits);
+/// IntersectMethod::intersect with the target's kernel; returns what the kernel was given.
+std::pair<BatchInput, HitArrays> intersect_by(BatchKernel kernel, const Rays& rays,
+                                              const scene::Sphere& sphere, scene::HitRule rule,
+                                              Hits& hits);
 
 }  // namespace raycheck::fast

@@ -155,6 +155,52 @@ HWY_INLINE N difference_of_products(N x, N y, N z, N w) {
   return (first.x - second.x) + (first.error - second.error);
 }
 
+// Numbers of about 106 bits as unevaluated sums. Source of the algorithms and their names: Joldes,
+// Muller and Popescu, Tight and rigorous error bounds for basic building blocks of double-word
+// arithmetic, 2017. Errors: kDoubleDoubleError in fast/internal/double_double.h.
+
+template <class N>
+HWY_INLINE Rounded<N> operator-(const Rounded<N>& x) {
+  return {-x.x, -x.error};
+}
+
+template <class N>
+HWY_INLINE Rounded<N> operator+(const Rounded<N>& x, const Rounded<N>& y) {  // AccurateDWPlusDW
+  const Rounded<N> high = two_sum(x.x, y.x);
+  const Rounded<N> low = two_sum(x.error, y.error);
+  const Rounded<N> middle = fast_two_sum(high.x, high.error + low.x);
+  return fast_two_sum(middle.x, low.error + middle.error);
+}
+template <class N>
+HWY_INLINE Rounded<N> operator-(const Rounded<N>& x, const Rounded<N>& y) {
+  return x + -y;
+}
+
+template <class N>
+HWY_INLINE Rounded<N> operator*(const Rounded<N>& x, const Rounded<N>& y) {  // DWTimesDW1
+  const Rounded<N> high = two_product(x.x, y.x);
+  return fast_two_sum(high.x, high.error + (x.x * y.error + x.error * y.x));
+}
+
+template <class N>
+HWY_INLINE Rounded<N> operator/(const Rounded<N>& x, const Rounded<N>& y) {  // DWDivDW2
+  const N guess = x.x / y.x;
+  const Rounded<N> product = two_product(y.x, guess);  // DWTimesFP1
+  const Rounded<N> sum = fast_two_sum(product.x, y.error * guess);
+  const Rounded<N> times = fast_two_sum(sum.x, sum.error + product.error);
+  const N rest = (x.x - times.x) + (x.error - times.error);
+  return fast_two_sum(guess, rest / y.x);
+}
+
+/// Domain: x > 0.
+template <class N>
+HWY_INLINE Rounded<N> pair_root(const Rounded<N>& x) {  // SQRTDWtoDW
+  const N guess = square_root(x.x);
+  const Rounded<N> square = two_square(guess);
+  const N rest = (x.x - square.x) - square.error + x.error;
+  return fast_two_sum(guess, rest / (N(2) * guess));
+}
+
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

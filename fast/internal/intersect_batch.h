@@ -9,6 +9,7 @@
 #define RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_
 #endif
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -42,6 +43,11 @@ HWY_INLINE SphereOf<N> sphere_of(const scene::Sphere& sphere) {
 }
 HWY_INLINE RayOf<Lanes> load(const RayArrays& from, std::size_t k) {
   return {load(from.origin, k), load(from.direction, k)};
+}
+/// A radius below 0 is loaded as NaN.
+HWY_INLINE SphereOf<Lanes> load(const SphereArrays& from, std::size_t k) {
+  const Lanes radius = load(from.radius + k);
+  return {load(from.centre, k), select(radius >= Lanes(0.0), radius, Lanes(std::nan("")))};
 }
 
 /// Roots, in the number type that a method computes in.
@@ -225,7 +231,7 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
   if (rest == 0) return valid;
   // The last vector is filled up with copies of the last ray.
   const std::size_t first = part.count;
-  double given[6][kLanes];
+  double given[10][kLanes];
   double found[4][kLanes];
   std::uint8_t hit[kLanes];
   for (std::size_t k = 0; k < kLanes; ++k) {
@@ -233,10 +239,14 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
     for (std::size_t axis = 0; axis < 3; ++axis) {
       given[axis][k] = input.rays.origin[axis][ray];
       given[3 + axis][k] = input.rays.direction[axis][ray];
+      if (input.spheres != nullptr) given[6 + axis][k] = input.spheres->centre[axis][ray];
     }
+    if (input.spheres != nullptr) given[9][k] = input.spheres->radius[ray];
   }
   part.count = kLanes;
   part.rays = {{given[0], given[1], given[2]}, {given[3], given[4], given[5]}};
+  const SphereArrays spheres = {{given[6], given[7], given[8]}, given[9]};
+  if (input.spheres != nullptr) part.spheres = &spheres;
   const bool rest_is_valid = whole_vectors(part, {hit, found[0], {found[1], found[2], found[3]}});
   for (std::size_t k = 0; k < rest; ++k) {
     answers.hit[first + k] = hit[k];

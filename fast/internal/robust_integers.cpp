@@ -125,6 +125,10 @@ bool set_fraction(Scratch& n) {
   return n.rest.sign() == 0;
 }
 
+std::uint8_t code_of(bool larger_root, bool is_tangent) {
+  return kHit | (larger_root ? kLargerRoot : 0) | (is_tangent ? kTangentRay : 0);
+}
+
 template <class Triple>
 bool is_finite(const Triple& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -132,8 +136,9 @@ bool is_finite(const Triple& v) {
 
 }  // namespace
 
-Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule) {
-  const Chosen miss{};
+Decided answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere,
+                           scene::HitRule rule) {
+  const Decided miss{};
   const auto& [origin, direction] = ray;
   const auto& [centre, radius] = sphere;
   if (!is_finite(origin) || !is_finite(direction) || !is_finite(centre) || !std::isfinite(radius)) {
@@ -154,19 +159,21 @@ Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, sc
   if (c == 0) {  // roots 0 and 2b/a
     const bool met =
         b > 0 || (b < 0 && larger_counts) || (b == 0 && rule.tangent != scene::Tangent::kMiss);
-    return {met, {0, origin}};
+    if (!met) return miss;
+    return {code_of(b < 0, b == 0), {0, origin}};
   }
   mpz_mul(n.discriminant, n.b, n.b);
   mpz_submul(n.discriminant, n.a, n.c);
   if (n.discriminant.sign() < 0) return miss;
-  if (n.discriminant.sign() == 0 && rule.tangent == scene::Tangent::kMiss) return miss;
+  const bool is_tangent = n.discriminant.sign() == 0;
+  if (is_tangent && rule.tangent == scene::Tangent::kMiss) return miss;
 
   bool exact = set_fraction(n);
   const long shift = std::max(0L, kBits + n.denominator.bits() - n.numerator.bits());
   mpz_mul_2exp(n.numerator, n.numerator, static_cast<mp_bitcnt_t>(shift));
   mpz_tdiv_qr(n.parameter, n.rest, n.numerator, n.denominator);
   exact = exact && n.rest.sign() == 0;
-  Chosen chosen{true, {}};
+  Decided chosen{code_of(c < 0, is_tangent)};
   chosen.at.parameter =
       nearest_double(n.parameter, length_exponent - direction_exponent - shift, !exact, n.rest);
   const auto coordinate = [&](std::size_t k) {

@@ -146,34 +146,70 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
 /// A BatchKernel for multiples of kLaneCount. It makes two passes over data that fits the L1 cache,
 /// since the operations of one vector, in one pass, would be too many for the processor to overlap
 /// with the next vector.
-[[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchInput& input, const HitArrays& answers) {
-  const BatchInput asked = input;
-  const HitArrays to = answers;
-  const Target<Lanes> ball(sphere_of<Lanes>(asked.sphere));
+template <class BallAt, bool kRoots>
+HWY_INLINE void answer_all(const BatchInput& asked, const HitArrays& to, const BallAt& ball_at) {
+  const Lanes nothing(std::nan(""));
   for (std::size_t first = 0; first < asked.count; first += kBlock) {
     const std::size_t last = first + kBlock < asked.count ? first + kBlock : asked.count;
     for (std::size_t k = first; k < last; k += kLaneCount) {
-      const Guess<Lanes> found = guess(load(asked.rays, k), ball, asked.rule.root);
+      const Guess<Lanes> found = guess(load(asked.rays, k), ball_at(k), asked.rule.root);
       std::uint64_t codes = bytes(found.hit);
+      if constexpr (kRoots) {  // The slope of |T - s d|^2 is positive at the larger root.
+        const auto larger = found.hit & (found.root.per_slope > Lanes(0.0));
+        if (any(larger)) [[unlikely]]
+          codes |= kLargerRoot * bytes(larger);
+      }
       if (!all(found.certain)) [[unlikely]]
         codes |= kOpen * bytes(!found.certain);
       store(codes, to.hit + k);
-      store(found.root.s0, to.parameter + k);
+      // From a NaN, correct() makes only NaNs.
+      store(kRoots ? select(found.hit, found.root.s0, nothing) : found.root.s0, to.parameter + k);
       store(found.root.per_slope, to.point[0] + k);
     }
     for (std::size_t k = first; k < last; k += kLaneCount) {
-      if (!any_hit(to.hit + k)) continue;
+      if (!any_hit(to.hit + k)) {
+        if constexpr (kRoots) store(Triple<Lanes>{nothing, nothing, nothing}, to.point, k);
+        continue;
+      }
       const ChosenOf<Lanes> chosen =
-          correct(load(asked.rays, k), ball, {load(to.parameter + k), load(to.point[0] + k)});
+          correct(load(asked.rays, k), ball_at(k), {load(to.parameter + k), load(to.point[0] + k)});
       store(chosen.parameter, to.parameter + k);
       store(chosen.point, to.point, k);
     }
   }
+}
+
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchInput& input, const HitArrays& answers) {
+  const BatchInput asked = input;
+  const HitArrays to = answers;
+  const Target<Lanes> ball(sphere_of<Lanes>(asked.sphere));
+  const auto same = [&](std::size_t /*k*/) -> const Target<Lanes>& { return ball; };
+  answer_all<decltype(same), false>(asked, to, same);
   return true;
 }
 
 bool robust_batch(const BatchInput& input, const HitArrays& answers) {
   return answer_batch(answer_whole, input, answers);
+}
+
+/// The same with roots, and NaNs for misses. Rays have one sphere, or each its own.
+[[gnu::flatten]] HWY_NOINLINE bool decide_whole(const BatchInput& input, const HitArrays& answers) {
+  const BatchInput asked = input;
+  const HitArrays to = answers;
+  if (asked.spheres != nullptr) {
+    const SphereArrays spheres = *asked.spheres;
+    const auto own = [&](std::size_t k) { return Target<Lanes>(load(spheres, k)); };
+    answer_all<decltype(own), true>(asked, to, own);
+  } else {
+    const Target<Lanes> ball(sphere_of<Lanes>(asked.sphere));
+    const auto same = [&](std::size_t /*k*/) -> const Target<Lanes>& { return ball; };
+    answer_all<decltype(same), true>(asked, to, same);
+  }
+  return true;
+}
+
+bool decide_batch(const BatchInput& input, const HitArrays& answers) {
+  return answer_batch(decide_whole, input, answers);
 }
 
 /// The first step's answer to one ray; empty if it is not certain.
@@ -196,38 +232,34 @@ namespace raycheck::fast {
 namespace {
 
 HWY_EXPORT(robust_batch);
+HWY_EXPORT(decide_batch);
 HWY_EXPORT(robust_one);
-
-Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule) {
-  if (const auto proven = answer_by_pairs(ray, sphere, rule.root)) return *proven;
-  return answer_by_integers(ray, sphere, rule);
-}
 
 void intersect_by_robust(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule,
                          Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(robust_batch), rays, sphere, rule, hits);
-  std::uint8_t* const first = hits.hit.data();
-  std::uint8_t* const last = first + hits.size();
-  for (std::uint8_t* open = first; open != last; ++open) {
-    // Faster than std::find, which compares byte by byte.
-    open =
-        static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
-    if (open == nullptr) return;
-    const auto k = static_cast<std::size_t>(open - first);
-    const scene::Ray ray = rays.at(k);
-    if (!scene::defects(ray).empty()) require_valid(rays, sphere);
-    const Chosen chosen = answer_carefully(ray, sphere, rule);
-    hits.set(k, chosen.hit, chosen.at);
-  }
+  const auto& [input, answers] =
+      intersect_by(HWY_DYNAMIC_DISPATCH(robust_batch), rays, sphere, rule, hits);
+  settle(input, answers, false);
+  if (std::memchr(hits.hit.data(), kOpen, hits.size()) != nullptr) require_valid(rays, sphere);
 }
 
 std::optional<Hit> one_by_robust(const scene::Ray& ray, const scene::Sphere& sphere,
                                  scene::HitRule rule) {
   const std::optional<Chosen> first = HWY_DYNAMIC_DISPATCH(robust_one)(ray, sphere, rule);
-  return (first ? *first : answer_carefully(ray, sphere, rule)).if_hit();
+  if (first) return first->if_hit();
+  const auto proven = answer_by_pairs(ray, sphere, rule.root);
+  return (proven ? *proven : answer_by_integers(ray, sphere, rule)).if_hit();
 }
 
 }  // namespace
+
+void decide(const BatchInput& input, const HitArrays& answers) {
+  BatchInput asked = input;
+  asked.rule.tangent = scene::Tangent::kHit;
+  if (!(asked.sphere.radius >= 0)) asked.sphere.radius = std::nan("");
+  HWY_DYNAMIC_DISPATCH(decide_batch)(asked, answers);
+  settle(asked, answers, true);
+}
 
 /// On every valid input the class is exact and s is within max_ulp, even if s is subnormal. s
 /// overflows to infinity as IEEE-754 says. kWideDomain limits only the promise for Q.

@@ -4,8 +4,8 @@
 
 #include "reference/exact_camera.h"
 #include "reference/internal/formulas.h"
-#include "reference/internal/kept.h"
 #include "reference/internal/rounding.h"
+#include "scene/on_demand.h"
 
 namespace raycheck::reference {
 
@@ -36,9 +36,9 @@ struct ExactCamera::Impl {
   const CameraNumbers<EnclosureKernel>& first_bits() const;
   const CameraNumbers<EnclosureKernel>& middle_bits() const;
 
-  OnDemand<CameraNumbers<DoubleDoubleKernel>> double_doubles_;
-  OnDemand<CameraNumbers<EnclosureKernel>> first_bits_, middle_bits_;
-  OnDemand<CameraNumbers<ExactKernel>> exact_;
+  scene::OnDemand<CameraNumbers<DoubleDoubleKernel>> double_doubles_;
+  scene::OnDemand<CameraNumbers<EnclosureKernel>> first_bits_, middle_bits_;
+  scene::OnDemand<CameraNumbers<ExactKernel>> exact_;
 };
 
 /// Throws std::invalid_argument if the pixel is outside the camera's image.

@@ -3,8 +3,6 @@
 // A value that is computed on demand. Internal to reference/.
 
 #include <atomic>
-#include <mutex>
-#include <optional>
 
 namespace raycheck::reference {
 
@@ -41,21 +39,6 @@ class Kept {
   enum class State : unsigned char { kEmpty, kBeingWritten, kReady };
   mutable std::atomic<State> state_{State::kEmpty};
   mutable T value_;  ///< Read only after it is ready.
-};
-
-/// A large value, computed by the first thread that needs it. Other threads wait.
-template <class T>
-class OnDemand {
- public:
-  template <class Compute>
-  const T& get(Compute compute) const {
-    std::call_once(once_, [&] { value_.emplace(compute()); });
-    return *value_;
-  }
-
- private:
-  mutable std::once_flag once_;
-  mutable std::optional<T> value_;
 };
 
 }  // namespace raycheck::reference

@@ -23,6 +23,8 @@ struct SeenRows {
   std::span<std::int32_t> sphere;  ///< The nearest sphere; of several at the same s, the first.
   std::span<double> parameter;     ///< s
   std::span<double> point_x, point_y, point_z;  ///< Q. Either all three are empty or none is.
+  /// The number of spheres at this s, without those that the plan leaves out; 0: none.
+  std::span<std::int32_t> ties = {};
 };
 
 /// The numbers of pixels decided by the filter and by each stage.

@@ -25,6 +25,7 @@ class NearestOfRows {
 
   DecidedBy answer(const SeenRows& rows, Certified certified) {
     at_.require_fit(rows.sphere.size());
+    at_.require_fit(rows.ties.size());
     for (const auto& array : {rows.parameter, rows.point_x, rows.point_y, rows.point_z}) {
       at_.require_fit(array.size());
     }
@@ -66,6 +67,7 @@ class NearestOfRows {
         std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(from), count, value);
     };
     fill(rows_.sphere, kNoSphere);
+    fill(rows_.ties, 0);
     for (const auto& array : {rows_.parameter, rows_.point_x, rows_.point_y, rows_.point_z}) {
       fill(array, kNoParameter);
     }
@@ -164,10 +166,11 @@ class NearestOfRows {
       in_row = row < wanted.j_begin || row >= wanted.j_end ? 0 : in_row & inside;
       undecided |= in_row;
     }
-    if (undecided == 0) return;
-    if (is_precise && decide_in_pairs(tile, rays, decided_by)) {
+    if (undecided != 0 && is_precise && decide_in_pairs(tile, rays, decided_by)) {
       finish_tile(tile_, wanted, rays, impl_.scale, output);
     }
+    if (!rows_.ties.empty()) count_one(tile, wanted);
+    if (undecided == 0) return;
     for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
       for (std::uint64_t left = tile_.undecided[static_cast<std::size_t>(row)]; left != 0;
            left &= left - 1) {
@@ -177,6 +180,17 @@ class NearestOfRows {
                            at_.output_at(row, tile) + static_cast<std::size_t>(column),
                            tangents_[static_cast<std::size_t>(row)]);
         ++decided_by.stages[static_cast<std::size_t>(stage)];
+      }
+    }
+  }
+
+  /// Writes that each pixel's sphere has no ties: the exact ray decides pixels that have some.
+  void count_one(std::size_t tile, const TileRectangle& wanted) {
+    for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
+      std::int32_t* const to = rows_.ties.data() + at_.output_at(row, tile);
+      const auto from = static_cast<std::size_t>(row * Tile::kWidth);
+      for (int column = 0; column < wanted.i_end; ++column) {
+        to[column] = tile_.sphere[from + static_cast<std::size_t>(column)] >= 0 ? 1 : 0;
       }
     }
   }
@@ -313,8 +327,10 @@ class NearestOfRows {
     const auto put = [at](auto array, auto value) {
       if (!array.empty()) array[at] = value;
     };
-    const auto put_all = [&](std::int32_t sphere, double s, const scene::Point3& Q) {
+    const auto put_all = [&](std::int32_t sphere, double s, const scene::Point3& Q,
+                             std::size_t ties = 1) {
       put(rows_.sphere, sphere);
+      put(rows_.ties, sphere == kNoSphere ? 0 : static_cast<std::int32_t>(ties));
       put(rows_.parameter, s);
       put(rows_.point_x, Q.x);
       put(rows_.point_y, Q.y);
@@ -350,7 +366,8 @@ class NearestOfRows {
     const scene::Sphere& sphere = spheres_[seen->index];
     put_all(static_cast<std::int32_t>(candidates_[seen->index]),
             rows_.parameter.empty() ? 0 : ray.rounded_parameter(sphere, seen->intersection),
-            rows_.point_x.empty() ? nowhere : ray.rounded_point(sphere, seen->intersection));
+            rows_.point_x.empty() ? nowhere : ray.rounded_point(sphere, seen->intersection),
+            seen->ties.size());
     return highest;
   }
 

@@ -90,6 +90,7 @@ TEST_F(Consumers, MatchTheDocumentation) {
   const std::string test = (built("consumer-gtest") / "tracer_test").string();
   const std::string printed =
       shell((built("consumer-exact") / "truth").string()).text +
+      shell((built("consumer-batch") / "batch").string()).text +
       shell("TRACER_MISTAKE=far_root " + test + " --gtest_filter=Tracer.nearest_root/rays").text;
   std::size_t shown = 0;
   const std::string fence = "\n```\n";
@@ -98,7 +99,7 @@ TEST_F(Consumers, MatchTheDocumentation) {
     const std::string block = page.substr(at, page.find("\n```", at) - at);
     EXPECT_TRUE(has(printed, block)) << "\nis not in\n";
   }
-  EXPECT_EQ(shown, 3u);
+  EXPECT_EQ(shown, 4u);
 }
 
 /// Each of these takes as long as all tests above.
