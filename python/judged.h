@@ -17,7 +17,7 @@ namespace py = pybind11;
 struct Judged {
   Candidate candidate;
   IntersectBatch intersect;
-  py::object stopped;  ///< The KeyboardInterrupt that ended a call, if there is one.
+  py::object stopped;  ///< The KeyboardInterrupt, say, that ended a call.
 
   Judged(const py::object& function, const std::string& name, const std::string& returns,
          const std::string& directions, const std::string& level, const std::string& precision,
@@ -55,7 +55,7 @@ struct Judged {
       try {
         ask(rays, static_cast<py::ssize_t>(count), sphere, hits, is_hit);
       } catch (py::error_already_set& error) {
-        if (error.matches(PyExc_KeyboardInterrupt)) stopped = error.value();
+        if (!error.matches(PyExc_Exception)) stopped = error.value();
         throw std::runtime_error(error.what());
       }
       if (PyErr_CheckSignals() != 0) {
@@ -74,7 +74,7 @@ struct Judged {
       return function();
     }();
     if (stopped) {
-      PyErr_SetObject(PyExc_KeyboardInterrupt, stopped.ptr());
+      PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(stopped.ptr())), stopped.ptr());
       throw py::error_already_set();
     }
     return found;
