@@ -24,13 +24,13 @@ def build_wheel(directory, settings=None, metadata=None):
     build = TOP / "build" / "wheel"
     subprocess.run(["cmake", "-S", TOP, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DRAYCHECK_WHEEL=ON", "-DRAYCHECK_WARNINGS=OFF",
-                    f"-DPython3_EXECUTABLE={sysconfig.get_config_var('BINDIR')}/python3"],
+                    f"-DPython_EXECUTABLE={sysconfig.get_config_var('BINDIR')}/python3"],
                    check=True)
+    if not (build / "python" / "cmake_install.cmake").read_text().count("_core"):
+        raise SystemExit("raycheck: the module cannot be built: install pybind11-dev (or put "
+                         "pybind11's folder in CMAKE_PREFIX_PATH)")
     subprocess.run(["cmake", "--build", build, "--target", "raycheck_python"], check=True)
     made = build / "python" / "raycheck"
-    if not made.exists():
-        raise SystemExit("raycheck: the module was not built: install pybind11-dev and "
-                         "python3-numpy (or put pybind11's folder in CMAKE_PREFIX_PATH)")
     files = {f"raycheck/{path.name}": path for path in made.iterdir() if path.is_file()}
     module = next(path for path in made.iterdir() if path.name.startswith("_core."))
     loaded = subprocess.run(["ldd", module], check=True, capture_output=True, text=True).stdout

@@ -5,6 +5,7 @@ import sys
 
 try:
     import hypothesis  # noqa: F401
+    import numpy  # noqa: F401
     import pytest
 except ImportError as missing:
     print(f"skipped: {missing}")
