@@ -2,6 +2,7 @@
 #include <raycheck/candidate.h>
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -59,6 +60,24 @@ void add_cameras(const Candidate& from, properties::Candidate& to) {
   if (from.focal_ray) to.focal_rays = for_each_pixel(from.focal_ray);
 }
 
+void add_batch(const IntersectBatch& from, properties::Candidate& to) {
+  to.intersect = [&from](Rays rays, Spheres spheres, const scene::Conventions& /*by*/) {
+    std::vector<Ray> seen;
+    for (const scene::Ray& one : rays) seen.push_back(ray(one));
+    std::vector<Hit> found(rays.size());
+    const auto is_hit = std::make_unique<bool[]>(rays.size());
+    std::vector<properties::SphereHits> all;
+    for (const scene::Sphere& one : spheres) {
+      properties::SphereHits& hits = all.emplace_back();
+      from(seen.data(), seen.size(), sphere(one), found.data(), is_hit.get());
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        if (is_hit[k]) hits.push_back({k, {found[k].parameter, point(found[k].point)}});
+      }
+    }
+    return all;
+  };
+}
+
 void add_intersections(const Candidate& from, properties::Candidate& to) {
   if (from.intersect) {
     to.intersect = [&from](Rays rays, Spheres spheres, const scene::Conventions& by) {
@@ -94,7 +113,7 @@ void add_intersections(const Candidate& from, properties::Candidate& to) {
 
 }  // namespace
 
-properties::Candidate inside(const Candidate& candidate) {
+properties::Candidate inside(const Candidate& candidate, const IntersectBatch* batch) {
   const bool has_any = candidate.frame || candidate.pixel_point || candidate.pixel_ray ||
                        candidate.focal_ray || candidate.intersect || candidate.nearest;
   if (!has_any) {
@@ -110,6 +129,7 @@ properties::Candidate inside(const Candidate& candidate) {
       declared, candidate.name, properties::fast_candidate(fast::kDirectRays, fast::kCross));
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
+  if (batch != nullptr) add_batch(*batch, inside);
   static_cast<properties::Functions&>(inside) =
       properties::adapted(inside, declared.interface, declared.precision);
   return judged_in(declared.precision, std::move(inside));

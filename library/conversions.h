@@ -54,8 +54,9 @@ Scene scene_of(const scene::Scene& s);
 properties::Case case_of(const Case& the_case);
 Case case_of(const properties::Case& the_case);
 
-/// The internal candidate, judged by the bounds of direct/cross. `candidate` must live as long as
-/// it. Errors: std::invalid_argument naming what is invalid.
-properties::Candidate inside(const Candidate& candidate);
+/// The internal candidate, judged by the bounds of direct/cross; its `intersect` is replaced by
+/// `batch` if that is not null. Both must live as long as it. Errors: std::invalid_argument naming
+/// what is invalid.
+properties::Candidate inside(const Candidate& candidate, const IntersectBatch* batch = nullptr);
 
 }  // namespace raycheck::library

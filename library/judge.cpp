@@ -125,10 +125,12 @@ std::vector<Check> checks(const Candidate& candidate) {
   return all;
 }
 
-Verdict judge(const Candidate& candidate, const std::string& law_name, const std::string& source,
-              const JudgeOptions& options) {
+namespace {
+
+Verdict judged(const properties::Candidate& candidate, const std::string& law_name,
+               const std::string& source, const JudgeOptions& options) {
   const properties::Law& law = law_of(law_name);
-  const properties::Candidate inside = in_random_cases(library::inside(candidate));
+  const properties::Candidate inside = in_random_cases(candidate);
   properties::CampaignOptions asked;
   if (options.cases < 1) {
     throw std::invalid_argument(fmt::format("cases = {}: must be at least 1", options.cases));
@@ -151,6 +153,18 @@ Verdict judge(const Candidate& candidate, const std::string& law_name, const std
   }
   const CampaignResult result = run_campaign(law, inside, asked);
   return verdict_of(result, law, inside, telling_of(result));
+}
+
+}  // namespace
+
+Verdict judge(const Candidate& candidate, const std::string& law, const std::string& source,
+              const JudgeOptions& options) {
+  return judged(library::inside(candidate), law, source, options);
+}
+
+Verdict judge(const Candidate& candidate, const IntersectBatch& intersect, const std::string& law,
+              const std::string& source, const JudgeOptions& options) {
+  return judged(library::inside(candidate, &intersect), law, source, options);
 }
 
 Verdict judge_case(const Candidate& candidate, const std::string& law_name, const Case& the_case,

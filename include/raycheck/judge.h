@@ -142,6 +142,19 @@ struct Verdict {
                                          const std::string& source = "",
                                          const JudgeOptions& options = {});
 
+/// Intersects rays with one sphere: for each ray, whether it hits, and the hit if it does. An
+/// exception counts as a failure to answer.
+using IntersectBatch = std::function<void(const Ray* rays, std::size_t count, const Sphere& sphere,
+                                          Hit* hits, bool* is_hit)>;
+
+/// The same for a candidate whose function `intersect`, which must not be empty, is not called:
+/// `intersect` intersects all rays of a case in one call, under the conventions that the candidate
+/// declares or the defaults.
+[[nodiscard]] RAYCHECK_API Verdict judge(const Candidate& candidate,
+                                         const IntersectBatch& intersect, const std::string& law,
+                                         const std::string& source = "",
+                                         const JudgeOptions& options = {});
+
 /// Judges a candidate by a law on one given case. Errors: std::invalid_argument if the case is not
 /// valid or the law is unknown.
 [[nodiscard]] RAYCHECK_API Verdict judge_case(const Candidate& candidate, const std::string& law,
