@@ -53,6 +53,9 @@ struct TrialOptions {
   /// judge the other answers.
   FailureSearch* search = nullptr;
   double share = 1;  ///< The part of the time limit for a reply.
+  /// The case's number in a campaign, in which each case is asked only some of a law's invalid
+  /// questions, in turn; if empty, it is asked all.
+  std::optional<std::uint64_t> turn = {};
 };
 
 /// How a ray and a sphere meet according to an answer.

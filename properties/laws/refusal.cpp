@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "properties/laws/law_list.h"
@@ -54,50 +56,82 @@ constexpr Spoiling<Ray> kRaySpoilings[] = {
     {"ray direction is infinite", [](Ray& r) { r.direction.y = kInfinite; }},
 };
 
-/// Calls the function directly (as_is), because each rethrow of an exception takes time.
-template <class Ask>
-void expect_refusal(Trial& trial, Verdict& verdict, const char* what, const Ask& ask) {
-  Wrong wrong = Wrong::kAnswered;
-  try {
-    try {
-      ask();
-    } catch (const std::invalid_argument&) {
-      wrong = Wrong::kNot;
-    } catch (...) {
-      asked([] { throw; });
-    }
-  } catch (const CandidateRefused&) {
-    wrong = Wrong::kNot;
-  }
-  trial.judge(
-      verdict, {Quantity::kRefusal, Expected::kRefusal, {}, wrong}, [] { return Excuse{}; },
-      [&](Discrepancy& d) { d.what = what; });
-}
+/// In a campaign, the number of invalid questions about one case. Each throws an exception, which
+/// takes longer than most judgements.
+constexpr std::size_t kAskedInTurn = 2;
 
-void spoil_cameras(Trial& trial, Verdict& verdict) {
+/// Asks a candidate invalid questions: all, or those whose turn it is.
+class Questions {
+ public:
+  Questions(Trial& trial, Verdict& verdict) : trial_(trial), verdict_(verdict) {}
+
+  /// Calls of ask() before only count; `count` is their number.
+  void begin(std::size_t count) {
+    asks_ = true;
+    next_ = 0;
+    all_ = count;
+    const std::optional<std::uint64_t>& turn = trial_.options().turn;
+    first_ = turn && count > 0 ? *turn % count * kAskedInTurn % count : 0;
+    asked_ = turn ? std::min(kAskedInTurn, count) : count;
+  }
+  std::size_t count() const { return next_; }
+
+  /// Calls the function directly (as_is), because each rethrow of an exception takes time.
+  template <class Ask>
+  void ask(const char* what, const Ask& ask) {
+    const std::size_t number = next_++;
+    if (!asks_ || (number + all_ - first_) % all_ >= asked_) return;
+    Wrong wrong = Wrong::kAnswered;
+    try {
+      try {
+        ask();
+      } catch (const std::invalid_argument&) {
+        wrong = Wrong::kNot;
+      } catch (...) {
+        asked([] { throw; });
+      }
+    } catch (const CandidateRefused&) {
+      wrong = Wrong::kNot;
+    }
+    trial_.judge(
+        verdict_, {Quantity::kRefusal, Expected::kRefusal, {}, wrong}, [] { return Excuse{}; },
+        [&](Discrepancy& d) { d.what = what; });
+  }
+
+ private:
+  Trial& trial_;
+  Verdict& verdict_;
+  bool asks_ = false;
+  std::size_t next_ = 0, all_ = 0, first_ = 0, asked_ = 0;
+};
+
+void spoil_cameras(const Trial& trial, Questions& questions) {
   const Candidate& candidate = trial.candidate();
   const Conventions& conventions = trial.conventions();
   const std::vector<Pixel> pixels = {{0, 0}};
-  for (const auto& [what, spoil, keeps_frame] : kCameraSpoilings) {
-    Camera camera = *trial.scene().camera;
-    spoil(camera);
-    if (candidate.frame && !keeps_frame) {
-      expect_refusal(trial, verdict, what, [&] { candidate.frame.as_is(camera); });
+  for (const auto& spoiling : kCameraSpoilings) {
+    const auto spoilt = [&] {
+      Camera camera = *trial.scene().camera;
+      spoiling.spoil(camera);
+      return camera;
+    };
+    if (candidate.frame && !spoiling.keeps_frame) {
+      questions.ask(spoiling.what, [&] { candidate.frame.as_is(spoilt()); });
     }
     for (const auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
       if (!*make) continue;
-      expect_refusal(trial, verdict, what, [&] { make->as_is(camera, conventions, pixels); });
+      questions.ask(spoiling.what, [&] { make->as_is(spoilt(), conventions, pixels); });
     }
     if (candidate.pixel_points) {
-      expect_refusal(trial, verdict, what,
-                     [&] { candidate.pixel_points.as_is(camera, conventions, pixels); });
+      questions.ask(spoiling.what,
+                    [&] { candidate.pixel_points.as_is(spoilt(), conventions, pixels); });
     }
   }
 }
 
-void spoil_intersections(Trial& trial, Verdict& verdict) {
+void spoil_intersections(const Trial& trial, Questions& questions) {
   const auto ask = [&](const char* what, const Ray& ray, const Sphere& sphere) {
-    expect_refusal(trial, verdict, what, [&] {
+    questions.ask(what, [&] {
       trial.candidate().intersect.as_is(std::span(&ray, 1), std::span(&sphere, 1),
                                         trial.conventions());
     });
@@ -118,10 +152,16 @@ void spoil_intersections(Trial& trial, Verdict& verdict) {
 }
 
 void judge_refusal(Trial& trial, Verdict& verdict) {
-  if (trial.scene().camera) spoil_cameras(trial, verdict);
-  if (trial.candidate().intersect && !trial.scene().spheres.empty()) {
-    spoil_intersections(trial, verdict);
-  }
+  Questions questions(trial, verdict);
+  const auto spoil = [&] {
+    if (trial.scene().camera) spoil_cameras(trial, questions);
+    if (trial.candidate().intersect && !trial.scene().spheres.empty()) {
+      spoil_intersections(trial, questions);
+    }
+  };
+  spoil();
+  questions.begin(questions.count());
+  spoil();
   if (verdict.compared() == 0) {
     return verdict.leave_out("the candidate has no function that takes the scene's input");
   }
