@@ -138,4 +138,15 @@ Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) cons
   });
 }
 
+Triple<DoubleDouble> ExactCamera::plane_position_in_double_doubles(
+    const scene::Pixel& pixel) const {
+  require_pixel_of(impl_->camera, pixel);
+  return by_double_doubles([&]() -> Triple<DoubleDouble> {
+    const auto& inputs = impl_->double_doubles().inputs;
+    const auto [alpha, beta] = reference::plane_position(DoubleDoubleLift{}, inputs, impl_->camera,
+                                                         impl_->conventions, pixel);
+    return {alpha, beta, inputs.near};
+  });
+}
+
 }  // namespace raycheck::reference
