@@ -11,6 +11,12 @@
 
 namespace raycheck::reference {
 
+/// |given - exact| / |exact|
+template <class Number>
+Number relative_distance(const Triple<Number>& given, const Triple<Number>& exact) {
+  return norm(given - exact) / norm(exact);
+}
+
 template <class Given>
 Triple<DoubleDouble> in_double_doubles(const Given& given) {
   return {DoubleDouble(given.x), DoubleDouble(given.y), DoubleDouble(given.z)};
@@ -32,6 +38,14 @@ inline std::optional<double> narrow_error(const DoubleDouble& error, int exponen
 inline std::optional<scene::Measured> narrow_error_in_u(const DoubleDouble& error) {
   const auto bound = narrow_error(error, -std::numeric_limits<double>::digits);
   return bound ? std::optional(scene::Measured{*bound}) : std::nullopt;
+}
+
+/// The error relative_error() of reference/error_measure.h.
+template <class Given>
+std::optional<scene::Measured> near_relative_error(const Given& given,
+                                                   const Triple<DoubleDouble>& exact) {
+  return by_double_doubles(
+      [&] { return narrow_error_in_u(relative_distance(in_double_doubles(given), exact)); });
 }
 
 /// The largest share by which such a bound is above the error.

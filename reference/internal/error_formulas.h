@@ -8,12 +8,6 @@
 
 namespace raycheck::reference {
 
-/// |given - exact| / |exact|
-template <class Number>
-Number relative_distance(const Triple<Number>& given, const Triple<Number>& exact) {
-  return norm(given - exact) / norm(exact);
-}
-
 /// The tangent of the angle between two directions. The exact one is unit; the cosine is given.
 template <class Number>
 Number tangent(const Triple<Number>& given, const Triple<Number>& exact, const Number& cosine) {
