@@ -58,7 +58,8 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
 ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
     : camera(validated(its_camera, its_conventions)),
       conventions(its_conventions),
-      intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)} {}
+      intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)},
+      quick(intervals.axes) {}
 
 /// Computed from balls, which gives narrower axes than double-doubles.
 const CameraNumbers<DoubleDoubleKernel>& ExactCamera::Impl::double_doubles() const {
