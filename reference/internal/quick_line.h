@@ -99,11 +99,12 @@ class QuickPair {
     return least >= kLeastQuick && most <= kMostQuick;
   }
 
-  /// The sign of a coefficient; empty if it is not certain that it is 1 or -1.
-  std::optional<int> sign(Coefficient of) const {
-    const auto certain = [](double value, double doubt) {
-      return value > doubt ? std::optional(1) : value < -doubt ? std::optional(-1) : std::nullopt;
-    };
+  /// A number, and a bound on its error.
+  struct Doubtful {
+    double value, doubt;
+  };
+  /// Domain: is_in_range().
+  Doubtful value(Coefficient of) const {
     constexpr double e = kQuickRounding;
     const double size = line_.size, r = radius_;
     if (of == Coefficient::kDiscriminant) {
@@ -111,9 +112,8 @@ class QuickPair {
       const Triple<double> moment = cross(f_, line_.g);
       const double off = f_size_ * (1.01 * line_.doubt + 5 * e * size);
       const double squared = dot(moment, moment), grown = size * size * r * r;
-      return certain(line_.a * r * r - squared,
-                     1.01 * (2 * sum_of_sizes(moment) * off + 3 * off * off + 5 * e * squared +
-                             20 * e * grown));
+      return {line_.a * r * r - squared, 1.01 * (2 * sum_of_sizes(moment) * off + 3 * off * off +
+                                                 5 * e * squared + 20 * e * grown)};
     }
     Triple<double> t = f_;
     double t_size = f_size_, t_doubt = e * f_size_;
@@ -123,11 +123,16 @@ class QuickPair {
       t_doubt += line_.doubt + e * t_size;
     }
     if (of == Coefficient::kConstant) {
-      return certain(dot(t, t) - r * r, 1.01 * (2 * t_size * t_doubt + 3 * t_doubt * t_doubt +
-                                                5 * e * (t_size * t_size + r * r)));
+      return {dot(t, t) - r * r, 1.01 * (2 * t_size * t_doubt + 3 * t_doubt * t_doubt +
+                                         5 * e * (t_size * t_size + r * r))};
     }
-    return certain(dot(t, line_.g), 1.01 * (t_size * line_.doubt + 2 * size * t_doubt +
-                                            3 * t_doubt * line_.doubt + 6 * e * t_size * size));
+    return {dot(t, line_.g), 1.01 * (t_size * line_.doubt + 2 * size * t_doubt +
+                                     3 * t_doubt * line_.doubt + 6 * e * t_size * size)};
+  }
+  /// The sign of a coefficient; empty if it is not certain that it is 1 or -1.
+  std::optional<int> sign(Coefficient of) const {
+    const auto [value, doubt] = this->value(of);
+    return value > doubt ? std::optional(1) : value < -doubt ? std::optional(-1) : std::nullopt;
   }
 
  private:
