@@ -13,8 +13,11 @@ namespace raycheck::reference {
 /// The precision of the filter stage of balls, between double-doubles and the exact field.
 inline constexpr int kMiddleBits = 256;
 
-struct ExactCamera::Impl {
-  Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
+/// A camera under each kernel. It depends on neither the conventions nor the size of the image, so
+/// that cameras that differ only in these share it.
+class CameraStages {
+ public:
+  explicit CameraStages(const scene::Camera& its_camera);
 
   /// Calls use(camera) with the camera at a precision. Cameras of the two usual precisions are
   /// kept.
@@ -25,14 +28,13 @@ struct ExactCamera::Impl {
     return use(camera_numbers(lift, camera));
   }
 
-  // Made on demand, since intervals nearly always decide.
+  // Made on demand, since doubles nearly always decide.
   const CameraNumbers<DoubleDoubleKernel>& double_doubles() const;
   const CameraNumbers<ExactKernel>& exact() const;
 
-  scene::Camera camera;
-  scene::Conventions conventions;
-  CameraNumbers<IntervalKernel> intervals;
-  QuickAxes quick;
+  const scene::Camera camera;  ///< The size of its image does not matter.
+  const CameraNumbers<IntervalKernel> intervals;
+  const QuickAxes quick;
 
  private:
   const CameraNumbers<EnclosureKernel>& first_bits() const;
@@ -41,6 +43,12 @@ struct ExactCamera::Impl {
   OnDemand<CameraNumbers<DoubleDoubleKernel>> double_doubles_;
   OnDemand<CameraNumbers<EnclosureKernel>> first_bits_, middle_bits_;
   OnDemand<CameraNumbers<ExactKernel>> exact_;
+};
+
+struct ExactCamera::Impl {
+  scene::Camera camera;
+  scene::Conventions conventions;
+  std::shared_ptr<const CameraStages> stages;
 };
 
 /// Throws std::invalid_argument if the pixel is outside the camera's image.
