@@ -55,13 +55,14 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
                               std::to_string(camera.height));
 }
 
-CameraStages::CameraStages(const scene::Camera& its_camera)
-    : camera(its_camera),
+ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
+    : camera(validated(its_camera, its_conventions)),
+      conventions(its_conventions),
       intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)},
       quick(intervals.axes) {}
 
 /// Computed from balls, which gives narrower axes than double-doubles.
-const CameraNumbers<DoubleDoubleKernel>& CameraStages::double_doubles() const {
+const CameraNumbers<DoubleDoubleKernel>& ExactCamera::Impl::double_doubles() const {
   return double_doubles_.get([this]() -> CameraNumbers<DoubleDoubleKernel> {
     const NearestGuard guard;
     return {lift_camera(DoubleDoubleLift{}, camera),
@@ -70,34 +71,20 @@ const CameraNumbers<DoubleDoubleKernel>& CameraStages::double_doubles() const {
   });
 }
 
-const CameraNumbers<EnclosureKernel>& CameraStages::first_bits() const {
+const CameraNumbers<EnclosureKernel>& ExactCamera::Impl::first_bits() const {
   return first_bits_.get([this] { return camera_numbers(EnclosureLift{kFirstBits}, camera); });
 }
 
-const CameraNumbers<EnclosureKernel>& CameraStages::middle_bits() const {
+const CameraNumbers<EnclosureKernel>& ExactCamera::Impl::middle_bits() const {
   return middle_bits_.get([this] { return camera_numbers(EnclosureLift{kMiddleBits}, camera); });
 }
 
-const CameraNumbers<ExactKernel>& CameraStages::exact() const {
+const CameraNumbers<ExactKernel>& ExactCamera::Impl::exact() const {
   return exact_.get([this] { return camera_numbers(ExactLift{}, camera); });
 }
 
 ExactCamera::ExactCamera(const scene::Camera& camera, const scene::Conventions& conventions)
-    : impl_(std::make_shared<Impl>(Impl{validated(camera, conventions), conventions,
-                                        std::make_shared<const CameraStages>(camera)})) {}
-
-ExactCamera ExactCamera::with(const scene::Camera& camera,
-                              const scene::Conventions& conventions) const {
-  scene::Camera same = camera;
-  same.width = impl_->camera.width;
-  same.height = impl_->camera.height;
-  same.far = impl_->camera.far;
-  if (!(same == impl_->camera)) return {camera, conventions};
-  ExactCamera result = *this;
-  result.impl_ =
-      std::make_shared<Impl>(Impl{validated(camera, conventions), conventions, impl_->stages});
-  return result;
-}
+    : impl_(std::make_shared<Impl>(camera, conventions)) {}
 
 const scene::Camera& ExactCamera::camera() const { return impl_->camera; }
 const scene::Conventions& ExactCamera::conventions() const { return impl_->conventions; }
@@ -109,13 +96,12 @@ Frame finish_frame(const ExactCamera::Impl& impl, Finish finish) {
   const auto axis = [&](auto of, auto exact_of) -> decltype(Frame::U) {
     const auto coordinate = [&](int k) {
       const auto enclose = [&impl, of, k](int bits) {
-        return impl.stages->enclosed(
-            EnclosureLift{bits},
-            [of, k](const auto& numbers) -> Enclosure { return (numbers.axes.*of)[k]; });
+        return impl.enclosed(EnclosureLift{bits}, [of, k](const auto& numbers) -> Enclosure {
+          return (numbers.axes.*of)[k];
+        });
       };
       return finish(enclose(kFirstBits), enclose, [&, k](const Rational& m) {
-        return *certain_sign((impl.stages->exact().axes.*exact_of)[k] -
-                             ExactNumber(FirstExtension(m)));
+        return *certain_sign((impl.exact().axes.*exact_of)[k] - ExactNumber(FirstExtension(m)));
       });
     };
     return {coordinate(0), coordinate(1), coordinate(2)};
@@ -139,14 +125,14 @@ DoubleDoubleFrame ExactCamera::frame_in_double_doubles() const {
   const auto triple = [](const DoubleDoubleKernel::Vector_3& v) {
     return Triple<DoubleDouble>{v.x(), v.y(), v.z()};
   };
-  const auto& [U, V, W] = impl_->stages->double_doubles().axes;
+  const auto& [U, V, W] = impl_->double_doubles().axes;
   return {triple(U), triple(V), triple(W)};
 }
 
 Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) const {
   require_pixel_of(impl_->camera, pixel);
   const EnclosureLift lift{bits};
-  return impl_->stages->enclosed(lift, [&](const auto& numbers) -> Enclosure3 {
+  return impl_->enclosed(lift, [&](const auto& numbers) -> Enclosure3 {
     auto position =
         reference::plane_position(lift, numbers.inputs, impl_->camera, impl_->conventions, pixel);
     return {std::move(position.alpha), std::move(position.beta), numbers.inputs.near};
@@ -157,7 +143,7 @@ Triple<DoubleDouble> ExactCamera::plane_position_in_double_doubles(
     const scene::Pixel& pixel) const {
   require_pixel_of(impl_->camera, pixel);
   return by_double_doubles([&]() -> Triple<DoubleDouble> {
-    const auto& inputs = impl_->stages->double_doubles().inputs;
+    const auto& inputs = impl_->double_doubles().inputs;
     const auto [alpha, beta] = reference::plane_position(DoubleDoubleLift{}, inputs, impl_->camera,
                                                          impl_->conventions, pixel);
     return {alpha, beta, inputs.near};

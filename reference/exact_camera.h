@@ -33,9 +33,6 @@ class ExactCamera {
   struct Impl;
   ExactCamera(const scene::Camera& camera, const scene::Conventions& conventions);
 
-  /// Another camera; it shares what was computed, if it differs only in the size of the image.
-  ExactCamera with(const scene::Camera& camera, const scene::Conventions& conventions) const;
-
   const scene::Camera& camera() const;
   const scene::Conventions& conventions() const;
 

@@ -44,7 +44,7 @@ ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
   const ExactCamera::Impl& its = *source_.camera;
   require_pixel_of(its.camera, pixel);
   const auto [alpha, beta] = quick_position(its.camera, its.conventions, pixel);
-  quick_ = packed(QuickLine::through(its.stages->quick, its.camera, alpha, beta));
+  quick_ = packed(QuickLine::through(its.quick, its.camera, alpha, beta));
 }
 
 ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {

@@ -356,7 +356,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   from_eye.origin = scene::Origin::kFocal;
   const Camera& camera = *trial.scene().camera;
   const auto exact_camera = [&](const Conventions& by) {
-    return by == trial.conventions() ? trial.exact_camera() : trial.exact_camera().with(camera, by);
+    return by == trial.conventions() ? trial.exact_camera() : ExactCamera(camera, by);
   };
   const ExactCamera pixel_camera = exact_camera(from_pixel);
   const ExactCamera eye_camera = exact_camera(from_eye);

@@ -274,9 +274,9 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
 /// the whole line.
 class BothWays {
  public:
-  explicit BothWays(const ExactCamera& camera)
-      : forwards_(camera.with(camera.camera(), from_eye(camera.conventions()))),
-        backwards_(opposite(camera.camera()), from_eye(camera.conventions())) {}
+  BothWays(const Camera& camera, const Conventions& conventions)
+      : forwards_(camera, from_eye(conventions)),
+        backwards_(opposite(camera), from_eye(conventions)) {}
 
   bool meets(const Sphere& sphere, const Pixel& pixel) const {
     return ExactRay(forwards_, pixel).intersect(sphere).hit_class != HitClass::kMiss ||
@@ -302,7 +302,7 @@ class BothWays {
 void judge_roots(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
   const ExactCamera& camera = trial.exact_camera();
-  const BothWays line(camera);
+  const BothWays line(*trial.scene().camera, trial.conventions());
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;

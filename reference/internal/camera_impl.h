@@ -13,11 +13,8 @@ namespace raycheck::reference {
 /// The precision of the filter stage of balls, between double-doubles and the exact field.
 inline constexpr int kMiddleBits = 256;
 
-/// A camera under each kernel. It depends on neither the conventions nor the size of the image, so
-/// that cameras that differ only in these share it.
-class CameraStages {
- public:
-  explicit CameraStages(const scene::Camera& its_camera);
+struct ExactCamera::Impl {
+  Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
 
   /// Calls use(camera) with the camera at a precision. Cameras of the two usual precisions are
   /// kept.
@@ -28,13 +25,14 @@ class CameraStages {
     return use(camera_numbers(lift, camera));
   }
 
-  // Made on demand, since doubles nearly always decide.
+  // Made on demand, since intervals nearly always decide.
   const CameraNumbers<DoubleDoubleKernel>& double_doubles() const;
   const CameraNumbers<ExactKernel>& exact() const;
 
-  const scene::Camera camera;  ///< The size of its image does not matter.
-  const CameraNumbers<IntervalKernel> intervals;
-  const QuickAxes quick;
+  scene::Camera camera;
+  scene::Conventions conventions;
+  CameraNumbers<IntervalKernel> intervals;
+  QuickAxes quick;
 
  private:
   const CameraNumbers<EnclosureKernel>& first_bits() const;
@@ -43,12 +41,6 @@ class CameraStages {
   OnDemand<CameraNumbers<DoubleDoubleKernel>> double_doubles_;
   OnDemand<CameraNumbers<EnclosureKernel>> first_bits_, middle_bits_;
   OnDemand<CameraNumbers<ExactKernel>> exact_;
-};
-
-struct ExactCamera::Impl {
-  scene::Camera camera;
-  scene::Conventions conventions;
-  std::shared_ptr<const CameraStages> stages;
 };
 
 /// Throws std::invalid_argument if the pixel is outside the camera's image.

@@ -21,19 +21,19 @@ auto with_numbers(const Lift& lift, const ExactCamera::Impl& camera, Use use) {
 }
 template <class Use>
 auto with_numbers(const IntervalLift& /*lift*/, const ExactCamera::Impl& camera, Use use) {
-  return use(camera.stages->intervals);
+  return use(camera.intervals);
 }
 template <class Use>
 auto with_numbers(const DoubleDoubleLift& /*lift*/, const ExactCamera::Impl& camera, Use use) {
-  return use(camera.stages->double_doubles());
+  return use(camera.double_doubles());
 }
 template <class Use>
 auto with_numbers(const EnclosureLift& lift, const ExactCamera::Impl& camera, Use use) {
-  return camera.stages->enclosed(lift, use);
+  return camera.enclosed(lift, use);
 }
 template <class Use>
 auto with_numbers(const ExactLift& /*lift*/, const ExactCamera::Impl& camera, Use use) {
-  return use(camera.stages->exact());
+  return use(camera.exact());
 }
 
 inline const scene::Point3& base_of(const ExactRay::Source& source) {

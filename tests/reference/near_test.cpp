@@ -93,7 +93,7 @@ TEST(QuickLine, EnclosesCoefficientsOfCamerasRays) {
     const ExactCamera exact(camera, conventions);
     const ExactRay ray(exact, random_pixel(random, camera));
     const auto [alpha, beta] = quick_position(camera, conventions, ray.source().pixel);
-    const QuickLine line = QuickLine::through(exact.impl()->stages->quick, camera, alpha, beta);
+    const QuickLine line = QuickLine::through(exact.impl()->quick, camera, alpha, beta);
     const Sphere sphere = random.one_in(2)
                               ? random_sphere(random, sizes)
                               : nearly_touched(random, camera.eye, {line.g.x, line.g.y, line.g.z});
