@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 
@@ -11,45 +10,16 @@
 namespace raycheck::properties {
 namespace {
 
-/// The largest of the axes' unit defects and mutual cosines; empty if the frame is not certainly
-/// right-handed, or in_u() of a cosine is empty.
-template <class Triple, class InU>
-std::optional<scene::Measured> orthonormality_error(const FrameAnswer& frame, const Triple& U,
-                                                    const Triple& V, const Triple& W,
-                                                    const InU& in_u) {
-  if (dot(cross(U, V), W).certain_sign() != 1) return std::nullopt;
-  scene::Measured largest =
-      std::max({reference::unit_defect(frame.U), reference::unit_defect(frame.V),
-                reference::unit_defect(frame.W)});
-  for (const auto& cosine : std::array{dot(U, V), dot(V, W), dot(W, U)}) {
-    const std::optional<scene::Measured> error = in_u(cosine);
-    if (!error) return std::nullopt;
-    largest = std::max(largest, *error);
-  }
-  return largest;
-}
-
-/// Infinite if the frame is left-handed or not finite.
-scene::Measured orthonormality_error(const Trial& trial, const Verdict& verdict,
-                                     const FrameAnswer& frame) {
-  using reference::in_double_doubles;
-  return trial.settled(
-      verdict, Quantity::kOrthonormality, trial.bound(Quantity::kOrthonormality),
-      [&] {
-        return reference::by_double_doubles([&] {
-          return orthonormality_error(frame, in_double_doubles(frame.U), in_double_doubles(frame.V),
-                                      in_double_doubles(frame.W), [](const auto& cosine) {
-                                        return reference::narrow_error_in_u(abs(cosine));
-                                      });
-        });
-      },
-      [&] {
-        return orthonormality_error(
-                   frame, enclose_exactly(frame.U), enclose_exactly(frame.V),
-                   enclose_exactly(frame.W),
-                   [](const Enclosure& cosine) { return std::optional(in_units_of_u(cosine)); })
-            .value_or(scene::Measured{std::numeric_limits<double>::infinity()});
-      });
+/// The largest of the axes' unit defects and mutual cosines; infinite if the frame is left-handed
+/// or not finite.
+scene::Measured orthonormality_error(const FrameAnswer& frame) {
+  const Enclosure3 U = enclose_exactly(frame.U);
+  const Enclosure3 V = enclose_exactly(frame.V);
+  const Enclosure3 W = enclose_exactly(frame.W);
+  if (dot(cross(U, V), W).certain_sign() != 1) return {std::numeric_limits<double>::infinity()};
+  return std::max({reference::unit_defect(frame.U), reference::unit_defect(frame.V),
+                   reference::unit_defect(frame.W), in_units_of_u(dot(U, V)),
+                   in_units_of_u(dot(V, W)), in_units_of_u(dot(W, U))});
 }
 
 void judge_frame(Trial& trial, Verdict& verdict) {
@@ -79,8 +49,8 @@ void judge_frame(Trial& trial, Verdict& verdict) {
   judge_axis("U", got.U, near.U, &reference::EnclosedFrame::U, &reference::RoundedFrame::U);
   judge_axis("V", got.V, near.V, &reference::EnclosedFrame::V, &reference::RoundedFrame::V);
   judge_axis("W", got.W, near.W, &reference::EnclosedFrame::W, &reference::RoundedFrame::W);
-  trial.measure(verdict, {Quantity::kOrthonormality, {}, orthonormality_error(trial, verdict, got)},
-                condition, [&](Discrepancy& d) {
+  trial.measure(verdict, {Quantity::kOrthonormality, {}, orthonormality_error(got)}, condition,
+                [&](Discrepancy& d) {
                   d.what = "U, V, W";
                   for (const auto& axis : {got.U, got.V, got.W}) {
                     d.got.insert(d.got.end(), {axis.x, axis.y, axis.z});

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -56,82 +56,63 @@ constexpr Spoiling<Ray> kRaySpoilings[] = {
     {"ray direction is infinite", [](Ray& r) { r.direction.y = kInfinite; }},
 };
 
-/// In a campaign, the number of invalid questions about one case. Each throws an exception, which
-/// takes longer than most judgements.
-constexpr std::size_t kAskedInTurn = 2;
+/// In a campaign, the invalid questions are asked in turn, so that a case has few: each throws an
+/// exception, which takes longer than most judgements.
+bool is_asked(const Trial& trial, std::size_t question, std::size_t turns) {
+  const std::optional<std::uint64_t>& turn = trial.options().turn;
+  return !turn || *turn % turns == question % turns;
+}
 
-/// Asks a candidate invalid questions: all, or those whose turn it is.
-class Questions {
- public:
-  Questions(Trial& trial, Verdict& verdict) : trial_(trial), verdict_(verdict) {}
-
-  /// Calls of ask() before only count; `count` is their number.
-  void begin(std::size_t count) {
-    asks_ = true;
-    next_ = 0;
-    all_ = count;
-    const std::optional<std::uint64_t>& turn = trial_.options().turn;
-    first_ = turn && count > 0 ? *turn % count * kAskedInTurn % count : 0;
-    asked_ = turn ? std::min(kAskedInTurn, count) : count;
-  }
-  std::size_t count() const { return next_; }
-
-  /// Calls the function directly (as_is), because each rethrow of an exception takes time.
-  template <class Ask>
-  void ask(const char* what, const Ask& ask) {
-    const std::size_t number = next_++;
-    if (!asks_ || (number + all_ - first_) % all_ >= asked_) return;
-    Wrong wrong = Wrong::kAnswered;
+/// Calls the function directly (as_is), because each rethrow of an exception takes time.
+template <class Ask>
+void expect_refusal(Trial& trial, Verdict& verdict, const char* what, const Ask& ask) {
+  Wrong wrong = Wrong::kAnswered;
+  try {
     try {
-      try {
-        ask();
-      } catch (const std::invalid_argument&) {
-        wrong = Wrong::kNot;
-      } catch (...) {
-        asked([] { throw; });
-      }
-    } catch (const CandidateRefused&) {
+      ask();
+    } catch (const std::invalid_argument&) {
       wrong = Wrong::kNot;
+    } catch (...) {
+      asked([] { throw; });
     }
-    trial_.judge(
-        verdict_, {Quantity::kRefusal, Expected::kRefusal, {}, wrong}, [] { return Excuse{}; },
-        [&](Discrepancy& d) { d.what = what; });
+  } catch (const CandidateRefused&) {
+    wrong = Wrong::kNot;
   }
+  trial.judge(
+      verdict, {Quantity::kRefusal, Expected::kRefusal, {}, wrong}, [] { return Excuse{}; },
+      [&](Discrepancy& d) { d.what = what; });
+}
 
- private:
-  Trial& trial_;
-  Verdict& verdict_;
-  bool asks_ = false;
-  std::size_t next_ = 0, all_ = 0, first_ = 0, asked_ = 0;
-};
-
-void spoil_cameras(const Trial& trial, Questions& questions) {
+void spoil_cameras(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
   const Conventions& conventions = trial.conventions();
   const std::vector<Pixel> pixels = {{0, 0}};
-  for (const auto& spoiling : kCameraSpoilings) {
-    const auto spoilt = [&] {
-      Camera camera = *trial.scene().camera;
-      spoiling.spoil(camera);
-      return camera;
+  constexpr std::size_t kCount = std::size(kCameraSpoilings);
+  for (std::size_t k = 0; k < kCount; ++k) {
+    const auto& [what, spoil, keeps_frame] = kCameraSpoilings[k];
+    std::size_t function = 0;
+    const auto ask = [&, what = what](bool exists, const auto& question) {
+      // A turn asks two of the functions, with one defect.
+      const bool is_its_turn = is_asked(trial, k + kCount * function++, 2 * kCount);
+      if (exists && is_its_turn) expect_refusal(trial, verdict, what, question);
     };
-    if (candidate.frame && !spoiling.keeps_frame) {
-      questions.ask(spoiling.what, [&] { candidate.frame.as_is(spoilt()); });
-    }
+    Camera camera = *trial.scene().camera;
+    spoil(camera);
+    ask(candidate.frame && !keeps_frame, [&] { candidate.frame.as_is(camera); });
     for (const auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
-      if (!*make) continue;
-      questions.ask(spoiling.what, [&] { make->as_is(spoilt(), conventions, pixels); });
+      ask(static_cast<bool>(*make), [&] { make->as_is(camera, conventions, pixels); });
     }
-    if (candidate.pixel_points) {
-      questions.ask(spoiling.what,
-                    [&] { candidate.pixel_points.as_is(spoilt(), conventions, pixels); });
-    }
+    ask(static_cast<bool>(candidate.pixel_points),
+        [&] { candidate.pixel_points.as_is(camera, conventions, pixels); });
   }
 }
 
-void spoil_intersections(const Trial& trial, Questions& questions) {
+void spoil_intersections(Trial& trial, Verdict& verdict) {
+  constexpr std::size_t kCount = std::size(kSphereSpoilings) + std::size(kRaySpoilings);
+  std::size_t question = 0;
   const auto ask = [&](const char* what, const Ray& ray, const Sphere& sphere) {
-    questions.ask(what, [&] {
+    if (!is_asked(trial, question++, kCount)) return;
+    expect_refusal(trial, verdict, what, [&] {
       trial.candidate().intersect.as_is(std::span(&ray, 1), std::span(&sphere, 1),
                                         trial.conventions());
     });
@@ -152,16 +133,10 @@ void spoil_intersections(const Trial& trial, Questions& questions) {
 }
 
 void judge_refusal(Trial& trial, Verdict& verdict) {
-  Questions questions(trial, verdict);
-  const auto spoil = [&] {
-    if (trial.scene().camera) spoil_cameras(trial, questions);
-    if (trial.candidate().intersect && !trial.scene().spheres.empty()) {
-      spoil_intersections(trial, questions);
-    }
-  };
-  spoil();
-  questions.begin(questions.count());
-  spoil();
+  if (trial.scene().camera) spoil_cameras(trial, verdict);
+  if (trial.candidate().intersect && !trial.scene().spheres.empty()) {
+    spoil_intersections(trial, verdict);
+  }
   if (verdict.compared() == 0) {
     return verdict.leave_out("the candidate has no function that takes the scene's input");
   }
