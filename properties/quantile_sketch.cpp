@@ -56,6 +56,8 @@ void QuantileSketch::add(double number) {
   wait(upper_end(number));
 }
 
+bool QuantileSketch::are_same(double a, double b) { return upper_end(a) == upper_end(b); }
+
 void QuantileSketch::merge(const QuantileSketch& other) {
   if (&other == this) return merge(QuantileSketch(other));
   max_ = std::max(max_, other.max_);

@@ -28,6 +28,8 @@ class QuantileSketch {
   /// NaN counts as infinite; throws std::invalid_argument for negative numbers.
   void add(double number);
   void merge(const QuantileSketch& other);
+  /// Whether two numbers are the same in a sketch, unless one of them is the largest.
+  static bool are_same(double a, double b);
 
   bool empty() const { return count_ == 0; }
   std::uint64_t count() const { return count_; }

@@ -11,6 +11,7 @@
 #include "reference/account/condition.h"
 #include "reference/account/nearby_choice.h"
 #include "reference/account/nearby_valid.h"
+#include "reference/near_error.h"
 #include "reference/ray_error.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
@@ -185,6 +186,15 @@ double Trial::bound(Quantity quantity) const {
   if (options_.max_error) return *options_.max_error;
   return documented_bound(candidate(), quantity, scene().camera.has_value())
       .value_or(kDefaultMaxError);
+}
+
+bool Trial::keeps_only_bin(const Verdict& verdict, Quantity quantity, double error,
+                           double bound) const {
+  const double largest = std::max(verdict.tally(quantity).worst,
+                                  earlier_ == nullptr ? -1 : earlier_->tally(quantity).worst);
+  const double above = error * (1 + 0x1p-50);  // exact() rounds up
+  return above <= bound && above < largest &&
+         QuantileSketch::are_same(above, error * (1 - reference::kNearErrorShare));
 }
 
 Stability Trial::weigh(double error, const Particulars& of) const {

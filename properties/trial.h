@@ -53,6 +53,9 @@ struct TrialOptions {
   /// judge the other answers.
   FailureSearch* search = nullptr;
   double share = 1;  ///< The part of the time limit for a reply.
+  /// The case's number in a campaign, in which each case is asked only some of a law's invalid
+  /// questions, in turn; if empty, it is asked all.
+  std::optional<std::uint64_t> turn = {};
 };
 
 /// How a ray and a sphere meet according to an answer.
@@ -171,6 +174,22 @@ class Trial : public Answers {
     if (own.error.value <= *own.bound && !options_.conditioning) return;
     examine(verdict, own, {condition, describe, backward, plain, tolerance});
   }
+  /// An error that is cheap to bound: near() is at most the share reference::kNearErrorShare above
+  /// it, or empty. Calls exact() only if a verdict would differ: if the error may be above its
+  /// bound, the largest so far, or in another bin of the quantiles, or is weighed.
+  template <class Near, class Exact>
+  scene::Measured settled(const Verdict& verdict, Quantity quantity, double bound, const Near& near,
+                          const Exact& exact) const {
+    if (!options_.conditioning) {
+      const std::optional<scene::Measured> error = near();
+      if (error && keeps_only_bin(verdict, quantity, error->in(precision()).value, bound)) {
+        return *error;
+      }
+    }
+    return exact();
+  }
+  /// The verdict on earlier cases, into which that of a law on this one will be merged, or null.
+  void set_earlier(const Verdict* earlier) { earlier_ = earlier; }
   /// Counts a right or wrong answer, and adds a discrepancy if it is wrong. `excuse` is called only
   /// if neither the stated domain nor a promise of exact hit classes decides.
   template <class GiveExcuse, class Describe>
@@ -212,6 +231,8 @@ class Trial : public Answers {
   };
 
   bool promises_exactly(Quantity quantity) const;
+  /// See settled().
+  bool keeps_only_bin(const Verdict& verdict, Quantity quantity, double error, double bound) const;
   /// excused_change(), enlarged by plain_growth().
   double change_about(const ExactRay& ray, const Sphere& sphere) const;
   Stability weigh(double error, const Particulars& of) const;
@@ -231,6 +252,7 @@ class Trial : public Answers {
 
   TrialOptions options_;
   bool inside_domain_;
+  const Verdict* earlier_ = nullptr;
   std::vector<std::shared_ptr<TrialPart>> halves_;
   std::set<std::string> failures_;
 };

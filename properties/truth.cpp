@@ -53,9 +53,9 @@ const ExactRay& Truth::ray(std::size_t ray) {
 }
 
 std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
-  scene::poll();
   auto& kept = meetings_[sphere];
   if (!kept) {
+    scene::poll();
     std::vector<Meeting> found;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       if (plan_ && !plan_->spheres[sphere].pixels.contains(case_.pixels[k])) continue;

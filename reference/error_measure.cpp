@@ -56,6 +56,17 @@ Measured ulp_error(double given, const Enclosure& exact, scene::Precision precis
   return ulp(error.upper());
 }
 
+Measured ulp_error(double given, double exact, scene::Precision precision) {
+  const double size = std::abs(exact);
+  // Then the difference is exact.
+  const bool is_near = std::isfinite(given) && exact * given > 0 && size <= 2 * std::abs(given) &&
+                       std::abs(given) <= 2 * size;
+  if (!is_near) return ulp_error(given, Enclosure(exact, 128), precision);
+  const scene::Format format = scene::format_of(precision);
+  const int exponent = std::max(std::ilogb(size) - (format.digits - 1), format.least_exponent);
+  return {std::ldexp(std::abs(given - exact), -exponent), scene::Unit::kUlp, precision};
+}
+
 Measured relative_error(const scene::Point3& given, const Enclosure3& exact) {
   return relative_error_of(given, exact);
 }

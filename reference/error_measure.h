@@ -14,6 +14,7 @@ namespace raycheck::reference {
 /// x.
 scene::Measured ulp_error(double given, const Enclosure& exact,
                           scene::Precision precision = scene::Precision::kDouble);
+scene::Measured ulp_error(double given, double exact, scene::Precision precision);
 
 /// |given - exact| / |exact|
 scene::Measured relative_error(const scene::Point3& given, const Enclosure3& exact);

@@ -58,7 +58,8 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
 ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
     : camera(validated(its_camera, its_conventions)),
       conventions(its_conventions),
-      intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)} {}
+      intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)},
+      quick(intervals.axes) {}
 
 /// Computed from balls, which gives narrower axes than double-doubles.
 const CameraNumbers<DoubleDoubleKernel>& ExactCamera::Impl::double_doubles() const {
@@ -135,6 +136,17 @@ Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) cons
     auto position =
         reference::plane_position(lift, numbers.inputs, impl_->camera, impl_->conventions, pixel);
     return {std::move(position.alpha), std::move(position.beta), numbers.inputs.near};
+  });
+}
+
+Triple<DoubleDouble> ExactCamera::plane_position_in_double_doubles(
+    const scene::Pixel& pixel) const {
+  require_pixel_of(impl_->camera, pixel);
+  return by_double_doubles([&]() -> Triple<DoubleDouble> {
+    const auto& inputs = impl_->double_doubles().inputs;
+    const auto [alpha, beta] = reference::plane_position(DoubleDoubleLift{}, inputs, impl_->camera,
+                                                         impl_->conventions, pixel);
+    return {alpha, beta, inputs.near};
   });
 }
 

@@ -42,6 +42,7 @@ class ExactCamera {
   DoubleDoubleFrame frame_in_double_doubles() const;
   /// alpha(i) and beta(j) of a pixel, with `near` as the third coordinate.
   Enclosure3 plane_position(const scene::Pixel& pixel, int bits = 256) const;
+  Triple<DoubleDouble> plane_position_in_double_doubles(const scene::Pixel& pixel) const;
 
   const std::shared_ptr<const Impl>& impl() const { return impl_; }
 

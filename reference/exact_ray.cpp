@@ -29,6 +29,10 @@ ExactRay::Direction direction_of(const ExactRay::Source& source) {
           line.g.z().inf(), line.g.z().sup(), line.a.inf(),     line.a.sup()};
 }
 
+std::array<double, 6> packed(const QuickLine& line) {
+  return {line.g.x, line.g.y, line.g.z, line.a, line.size, line.doubt};
+}
+
 void raise(Filtering by, FilterStage stage) {
   if (by.highest != nullptr) *by.highest = std::max(*by.highest, stage);
 }
@@ -37,13 +41,16 @@ void raise(Filtering by, FilterStage stage) {
 
 ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
     : source_{camera.impl(), pixel, {}} {
-  require_pixel_of(source_.camera->camera, pixel);
-  bounds_ = bounds_of(source_);
+  const ExactCamera::Impl& its = *source_.camera;
+  require_pixel_of(its.camera, pixel);
+  const auto [alpha, beta] = quick_position(its.camera, its.conventions, pixel);
+  quick_ = packed(QuickLine::through(its.quick, its.camera, alpha, beta));
 }
 
 ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {
   scene::require_valid(ray);
-  bounds_ = bounds_of(source_);
+  const auto& [x, y, z] = ray.direction;
+  quick_ = packed(QuickLine::given({x, y, z}));
 }
 
 ExactRay::Direction ExactRay::direction_in_double_doubles() const {
@@ -53,10 +60,12 @@ ExactRay::Direction ExactRay::direction_in_double_doubles() const {
 /// The first stage: the ray's line in intervals. While an object lives, doubles round upward.
 struct ExactRay::Filter {
   explicit Filter(const ExactRay& ray)
+      : Filter(ray, ray.bounds_.get([&ray] { return bounds_of(ray.source_); })) {}
+  Filter(const ExactRay& ray, const std::array<double, 8>& bounds)
       : line{lift_vector(IntervalLift{}, base_of(ray.source_)),
-             {Interval(ray.bounds_[0], ray.bounds_[1]), Interval(ray.bounds_[2], ray.bounds_[3]),
-              Interval(ray.bounds_[4], ray.bounds_[5])},
-             Interval(ray.bounds_[6], ray.bounds_[7]),
+             {Interval(bounds[0], bounds[1]), Interval(bounds[2], bounds[3]),
+              Interval(bounds[4], bounds[5])},
+             Interval(bounds[6], bounds[7]),
              ray.source_.camera != nullptr &&
                  ray.source_.camera->conventions.origin == scene::Origin::kPixel,
              ray.source_.camera != nullptr} {}
@@ -99,6 +108,16 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Fi
   return take(FilterStage::kField, *sign_under(lift, line_of(lift, source_)));
 }
 
+std::optional<Intersection> ExactRay::intersect_by_doubles(const scene::Sphere& sphere,
+                                                           scene::Root root) const {
+  const QuickLine line{{quick_[0], quick_[1], quick_[2]}, quick_[3], quick_[4], quick_[5]};
+  const ExactCamera::Impl* const camera = source_.camera.get();
+  const bool starts_at_g = camera != nullptr && camera->conventions.origin == scene::Origin::kPixel;
+  const QuickPair pair(line, starts_at_g, base_of(source_), sphere);
+  if (!pair.is_in_range()) return std::nullopt;
+  return classify([&](Coefficient coefficient) { return pair.sign(coefficient); }, root);
+}
+
 [[RAYCHECK_FLATTEN gnu::noinline]] std::optional<Intersection> ExactRay::intersect_by_intervals(
     const scene::Sphere& sphere, scene::Root root) const {
   const Filter filter(*this);
@@ -110,8 +129,10 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Fi
 Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root,
                                  Filtering by) const {
   scene::require_valid(sphere);
-  if (by.engine == Engine::kFiltered) {  // Intervals nearly always decide.
-    if (const auto certain = intersect_by_intervals(sphere, root)) {
+  if (by.engine == Engine::kFiltered) {  // Doubles nearly always decide.
+    auto certain = intersect_by_doubles(sphere, root);
+    if (!certain) certain = intersect_by_intervals(sphere, root);
+    if (certain) {
       raise(by, FilterStage::kIntervals);
       return *certain;
     }

@@ -40,6 +40,7 @@ constexpr bool counts_as_hit(HitClass hit_class, scene::Tangent tangent) {
 enum class Engine { kFiltered, kFieldOnly };
 
 /// The stages of Engine::kFiltered, the cheapest first. The first stage that is certain decides.
+/// kIntervals includes doubles with bounds on their errors, which come before.
 enum class FilterStage { kIntervals, kDoubleDoubles, kBalls, kField };
 
 /// How to decide. `highest`, if not null, is raised to the highest stage that a decision needed.
@@ -171,13 +172,16 @@ class ExactRay {
 
  private:
   struct Filter;
+  std::optional<Intersection> intersect_by_doubles(const scene::Sphere& sphere,
+                                                   scene::Root root) const;
   std::optional<Intersection> intersect_by_intervals(const scene::Sphere& sphere,
                                                      scene::Root root) const;
   template <class F>
   int decide(const scene::Sphere& first, const scene::Sphere& second, Filtering by, F sign) const;
 
   Source source_;
-  std::array<double, 8> bounds_;  ///< Lower and upper bounds on g and |g|^2, for the filter.
+  std::array<double, 6> quick_;         ///< A QuickLine.
+  Kept<std::array<double, 8>> bounds_;  ///< Lower and upper bounds on g and |g|^2, in intervals.
   Kept<Direction> direction_;
 };
 

@@ -98,6 +98,15 @@ Measured hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
   return error ? *error : relative_error(given, ray.point(sphere, intersection));
 }
 
+HitInDoubleDoubles hit_in_double_doubles(const ExactRay& ray, const scene::Sphere& sphere,
+                                         const Intersection& intersection) {
+  return error_by_double_doubles(ray, sphere, [&](const Pair& pair) -> HitInDoubleDoubles {
+    const int sign = root_sign(intersection);
+    return {ray_length(pair.line), ray_parameter(pair, sign), triple(ray_origin(pair.line)),
+            triple(hit_point(pair, sign))};
+  });
+}
+
 std::optional<Measured> sphere_residual(const scene::Sphere& sphere, const scene::Point3& given) {
   if (sphere.radius == 0) return std::nullopt;
   const std::optional<Measured> error = by_double_doubles([&] {

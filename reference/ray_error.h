@@ -25,6 +25,15 @@ scene::Measured parameter_error(const ExactRay& ray, const scene::Sphere& sphere
 scene::Measured hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
                                 const Intersection& intersection, const scene::Point3& given);
 
+/// Values of a ray and its hit in double-doubles, for errors that relate several answers.
+struct HitInDoubleDoubles {
+  DoubleDouble length;  ///< See EnclosedRay, as for the others.
+  DoubleDouble parameter;
+  Triple<DoubleDouble> origin, point;
+};
+HitInDoubleDoubles hit_in_double_doubles(const ExactRay& ray, const scene::Sphere& sphere,
+                                         const Intersection& intersection);
+
 /// The distance of a point from the sphere, divided by r; empty if r is 0.
 std::optional<scene::Measured> sphere_residual(const scene::Sphere& sphere,
                                                const scene::Point3& given);

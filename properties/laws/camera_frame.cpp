@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "properties/laws/law_list.h"
 #include "reference/account/condition.h"
 #include "reference/error_measure.h"
+#include "reference/near_error.h"
 
 namespace raycheck::properties {
 namespace {
@@ -23,21 +25,30 @@ scene::Measured orthonormality_error(const FrameAnswer& frame) {
 void judge_frame(Trial& trial, Verdict& verdict) {
   const FrameAnswer& got = trial.frame();
   const ExactCamera& camera = trial.exact_camera();
-  const reference::EnclosedFrame exact = camera.frame();
+  const reference::DoubleDoubleFrame near = camera.frame_in_double_doubles();
+  std::optional<reference::EnclosedFrame> enclosed;
+  const auto exact = [&]() -> const reference::EnclosedFrame& {
+    if (!enclosed) enclosed = camera.frame();
+    return *enclosed;
+  };
   const auto condition = [&] { return reference::condition_of_frame(camera); };
   const auto judge_axis = [&](const char* axis, const scene::UnitVector3& answer,
-                              const Enclosure3& truth,
+                              const reference::Triple<reference::DoubleDouble>& near_truth,
+                              Enclosure3 reference::EnclosedFrame::*truth,
                               scene::UnitVector3 reference::RoundedFrame::*member) {
-    trial.measure(verdict, {Quantity::kFrame, {}, reference::relative_error(answer, truth)},
-                  condition, [&](Discrepancy& d) {
-                    d.what = d.symbol = axis;
-                    d.got = numbers(answer);
-                    d.exact = numbers(camera.rounded_frame(trial.precision()).*member);
-                  });
+    const scene::Measured error = trial.settled(
+        verdict, Quantity::kFrame, trial.bound(Quantity::kFrame),
+        [&] { return reference::near_relative_error(answer, near_truth); },
+        [&] { return reference::relative_error(answer, exact().*truth); });
+    trial.measure(verdict, {Quantity::kFrame, {}, error}, condition, [&](Discrepancy& d) {
+      d.what = d.symbol = axis;
+      d.got = numbers(answer);
+      d.exact = numbers(camera.rounded_frame(trial.precision()).*member);
+    });
   };
-  judge_axis("U", got.U, exact.U, &reference::RoundedFrame::U);
-  judge_axis("V", got.V, exact.V, &reference::RoundedFrame::V);
-  judge_axis("W", got.W, exact.W, &reference::RoundedFrame::W);
+  judge_axis("U", got.U, near.U, &reference::EnclosedFrame::U, &reference::RoundedFrame::U);
+  judge_axis("V", got.V, near.V, &reference::EnclosedFrame::V, &reference::RoundedFrame::V);
+  judge_axis("W", got.W, near.W, &reference::EnclosedFrame::W, &reference::RoundedFrame::W);
   trial.measure(verdict, {Quantity::kOrthonormality, {}, orthonormality_error(got)}, condition,
                 [&](Discrepancy& d) {
                   d.what = "U, V, W";

@@ -3,6 +3,7 @@
 #include "properties/laws/law_list.h"
 #include "reference/account/condition.h"
 #include "reference/error_measure.h"
+#include "reference/near_error.h"
 #include "reference/ray_error.h"
 
 namespace raycheck::properties {
@@ -385,10 +386,6 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
       const Place place = trial.place(k, sphere);
       const BothOrigins both{eye_ray, pixel_ray, eye.hit, *pixel_hit, trial.precision()};
       if (judge_other_root(trial, verdict, place, both, at)) continue;
-      const auto enclosed = eye_ray.enclose(256);
-      const Enclosure off = Enclosure(eye.hit.parameter, 256) -
-                            Enclosure(pixel_hit->parameter, 256) - enclosed.length();
-      const Enclosure scale = enclosed.parameter(the_sphere, at);
       const auto condition = [&] {
         return reference::condition_of_parameter(eye_ray, the_sphere, at) +
                reference::condition_of_point(eye_ray, the_sphere, at);
@@ -403,16 +400,54 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
         return std::max(trial.tolerance(eye_ray, the_sphere, eye.hit.parameter),
                         trial.tolerance(pixel_ray, the_sphere, pixel_hit->parameter));
       };
-      trial.measure(verdict,
-                    {Quantity::kInvariance, place, in_units_of_u(off / scale),
-                     2 * trial.bound(Quantity::kParameter)},
-                    condition, describe, {}, plain, tolerance);
-      const Enclosure3 apart = enclose_exactly(eye.hit.point) - enclose_exactly(pixel_hit->point);
-      const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
-      trial.measure(verdict,
-                    {Quantity::kInvariance, place, in_units_of_u(norm(apart) / size),
-                     2 * trial.bound(Quantity::kHitPoint)},
-                    condition, describe, {}, plain, tolerance);
+      const auto near = reference::hit_in_double_doubles(eye_ray, the_sphere, at);
+      std::optional<reference::EnclosedRay> enclosed;
+      const auto in_balls = [&] {
+        if (!enclosed) enclosed = eye_ray.enclose(256);
+        return *enclosed;
+      };
+      const auto measure = [&](Quantity bounded, const auto& in_double_doubles,
+                               const auto& in_enclosures) {
+        const double bound = 2 * trial.bound(bounded);
+        const scene::Measured error = trial.settled(
+            verdict, Quantity::kInvariance, bound,
+            [&] {
+              return reference::by_double_doubles(
+                  [&] { return reference::narrow_error_in_u(abs(in_double_doubles())); });
+            },
+            [&] { return in_units_of_u(in_enclosures()); });
+        trial.measure(verdict, {Quantity::kInvariance, place, error, bound}, condition, describe,
+                      {}, plain, tolerance);
+      };
+      // The difference of the parameters, without l; then that of the points.
+      const auto off = [](const auto& eye_s, const auto& pixel_s, const auto& l, const auto& s) {
+        return (eye_s - pixel_s - l) / s;
+      };
+      const auto apart = [](const auto& one, const auto& other, const auto& point,
+                            const auto& origin) {
+        return norm(one - other) / (norm(point) + norm(origin));
+      };
+      const double eye_s = eye.hit.parameter, pixel_s = pixel_hit->parameter;
+      measure(
+          Quantity::kParameter,
+          [&] {
+            return off(reference::DoubleDouble(eye_s), reference::DoubleDouble(pixel_s),
+                       near.length, near.parameter);
+          },
+          [&] {
+            return off(Enclosure(eye_s, 256), Enclosure(pixel_s, 256), in_balls().length(),
+                       in_balls().parameter(the_sphere, at));
+          });
+      measure(
+          Quantity::kHitPoint,
+          [&] {
+            return apart(reference::in_double_doubles(eye.hit.point),
+                         reference::in_double_doubles(pixel_hit->point), near.point, near.origin);
+          },
+          [&] {
+            return apart(enclose_exactly(eye.hit.point), enclose_exactly(pixel_hit->point),
+                         in_balls().point(the_sphere, at), in_balls().origin());
+          });
     }
   }
   if (verdict.compared() == 0) {

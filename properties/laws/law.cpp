@@ -309,8 +309,9 @@ Trial& Trials::of(const Law& law) {
   return *on_given_;
 }
 
-Verdict Trials::apply(const Law& law) {
+Verdict Trials::apply(const Law& law, const Verdict* earlier) {
   Trial& trial = of(law);
+  trial.set_earlier(earlier);
   Verdict verdict = properties::apply(law, trial);
   if (&trial != &on_case_) {
     verdict.relocate([this](const Place& place) { return given_->place(place); });

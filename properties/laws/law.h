@@ -151,7 +151,8 @@ class Trials {
   Trial& on_case() { return on_case_; }
   /// The trial on which a law is judged.
   Trial& of(const Law& law);
-  Verdict apply(const Law& law);
+  /// `earlier`: see Trial::set_earlier.
+  Verdict apply(const Law& law, const Verdict* earlier = nullptr);
   /// Whether a law was judged on given rays.
   bool gave_rays() const { return on_given_.has_value(); }
 

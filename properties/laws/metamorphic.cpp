@@ -12,6 +12,7 @@
 #include "properties/laws/law_list.h"
 #include "reference/account/condition.h"
 #include "reference/error_measure.h"
+#include "reference/near_error.h"
 #include "reference/ray_error.h"
 #include "scene/fields.h"
 #include "scene/validate.h"
@@ -52,7 +53,7 @@ scene::Measured error_between(const PairAnswer& first, const PairAnswer& second,
   const Precision precision = first.trial.precision();
   const double s = first.hit->parameter, other = second.hit->parameter;
   // In ulp, so that gradual underflow is not a defect.
-  const scene::Measured error = reference::ulp_error(other, Enclosure(s * factor, 128), precision);
+  const scene::Measured error = reference::ulp_error(other, s * factor, precision);
   if (!std::isinf(error.value) || !is_hit || !std::isfinite(other)) return error;
   // If one parameter is 0, the error is relative to the exact one.
   const Enclosure apart = Enclosure(other, 128) / Enclosure(factor, 128) - Enclosure(s, 128);
@@ -61,20 +62,17 @@ scene::Measured error_between(const PairAnswer& first, const PairAnswer& second,
 }
 
 /// What is wrong with an answer of which another one is right.
-std::function<void(Discrepancy&)> describe_wrong(const PairAnswer& first, const PairAnswer& second,
-                                                 bool is_first_wrong, const std::string& by) {
-  return [=](Discrepancy& d) {
-    const PairAnswer& wrong = is_first_wrong ? first : second;
-    Trial& trial = wrong.trial;
-    d.what = (is_first_wrong ? "right only with " : "") + by;
-    d.symbol = info(Quantity::kParameter).symbol;
-    d.got_some_sphere =
-        wrong.hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
-    if (wrong.hit != nullptr && !d.got_some_sphere) d.got = {wrong.hit->parameter};
-    if (!trial.exact_hit(wrong.ray, wrong.sphere_index)) return;
-    d.exact = {
-        rounded_s(trial.exact_ray(wrong.ray), wrong.sphere(), wrong.exact(), trial.candidate())};
-  };
+void describe_wrong(Discrepancy& d, const PairAnswer& first, const PairAnswer& second,
+                    bool is_first_wrong, const std::string& by) {
+  const PairAnswer& wrong = is_first_wrong ? first : second;
+  Trial& trial = wrong.trial;
+  d.what = (is_first_wrong ? "right only with " : "") + by;
+  d.symbol = info(Quantity::kParameter).symbol;
+  d.got_some_sphere = wrong.hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
+  if (wrong.hit != nullptr && !d.got_some_sphere) d.got = {wrong.hit->parameter};
+  if (!trial.exact_hit(wrong.ray, wrong.sphere_index)) return;
+  d.exact = {
+      rounded_s(trial.exact_ray(wrong.ray), wrong.sphere(), wrong.exact(), trial.candidate())};
 }
 
 /// Judges the hit classes of two answers for which the exact ones are the same, which show the
@@ -98,7 +96,9 @@ bool compare_classes(const PairAnswer& first, const PairAnswer& second, const Pl
       [&] {
         return trial.excuse({first.answer(), second.answer()});
       },
-      describe_wrong(first, second, (first.hit != nullptr) != is_hit, by));
+      [&](Discrepancy& d) {
+        describe_wrong(d, first, second, (first.hit != nullptr) != is_hit, by);
+      });
   return first.hit != nullptr && second.hit != nullptr;
 }
 
@@ -130,7 +130,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
         [&] {
           return trial.excuse({first.answer(), second.answer()});
         },
-        describe_wrong(first, second, is_at_other, by.what));
+        [&](Discrepancy& d) { describe_wrong(d, first, second, is_at_other, by.what); });
     if (is_other_root) return;
   }
   trial.measure(
@@ -155,17 +155,27 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
       [&] { return std::max(first.tolerance(), second.tolerance()); });
 }
 
+/// The distance of a unit vector from another one, as far as a verdict needs it.
+scene::Measured distance(const Trial& trial, const Verdict& verdict, double bound,
+                         const scene::UnitVector3& got, const scene::UnitVector3& expected) {
+  return trial.settled(
+      verdict, Quantity::kInvariance, bound,
+      [&] { return reference::near_relative_error(got, reference::in_double_doubles(expected)); },
+      [&] { return reference::relative_error(got, expected); });
+}
+
 void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
                         const Transformation& by) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const Vector3 expected = by.map(trial.rays()[k].direction);
     const Vector3& got = transformed.rays()[k].direction;
+    const double bound = 2 * trial.bound(Quantity::kDirection);
     trial.measure(
         verdict,
         {Quantity::kInvariance, trial.place(k),
-         reference::relative_error(scene::UnitVector3{got.x, got.y, got.z},
-                                   scene::UnitVector3{expected.x, expected.y, expected.z}),
-         2 * trial.bound(Quantity::kDirection)},
+         distance(trial, verdict, bound, {got.x, got.y, got.z},
+                  {expected.x, expected.y, expected.z}),
+         bound},
         [&] { return reference::condition_of_direction(trial.exact_ray(k)); },
         [&](Discrepancy& d) {
           d.what = by.what;
@@ -320,10 +330,10 @@ void compare_frames(Trial& trial, Verdict& verdict, const Camera& other_camera,
   const FrameAnswer& frame = trial.frame();
   const auto compare = [&](const char* axis, const scene::UnitVector3& got,
                            const scene::UnitVector3& expected) {
+    const double bound = 2 * trial.bound(Quantity::kFrame);
     trial.measure(
         verdict,
-        {Quantity::kInvariance, Place{}, reference::relative_error(got, expected),
-         2 * trial.bound(Quantity::kFrame)},
+        {Quantity::kInvariance, Place{}, distance(trial, verdict, bound, got, expected), bound},
         [&] {
           const ExactCamera exact_other(other_camera, trial.conventions());
           return std::max(reference::condition_of_frame(trial.exact_camera()),

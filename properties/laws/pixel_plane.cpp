@@ -2,16 +2,20 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "properties/laws/law_list.h"
 #include "reference/account/condition.h"
 #include "reference/error_measure.h"
+#include "reference/near_error.h"
 #include "reference/ray_error.h"
 
 namespace raycheck::properties {
 namespace {
+
+using reference::DoubleDouble;
 
 constexpr scene::Measured kInfiniteError = {std::numeric_limits<double>::infinity()};
 constexpr int kBits = 256;
@@ -20,13 +24,39 @@ std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
 
+/// An error |part| / whole in numbers of one kind.
+template <class Number>
+struct Share {
+  Number part, whole;
+};
+
+/// The larger of errors; an exact 0 is right for any size.
+template <std::size_t n>
+scene::Measured largest(const std::array<Share<Enclosure>, n>& shares) {
+  scene::Measured result;
+  for (const auto& [part, whole] : shares) {
+    if (part.certain_sign() == 0) continue;
+    result = std::max(result, whole.contains_zero() ? kInfiniteError : in_units_of_u(part / whole));
+  }
+  return result;
+}
+template <std::size_t n>
+std::optional<scene::Measured> largest(const std::array<Share<DoubleDouble>, n>& shares) {
+  scene::Measured result;
+  for (const auto& [part, whole] : shares) {
+    const auto one = reference::narrow_error_in_u(abs(part) / whole);
+    if (!one) return std::nullopt;
+    result = std::max(result, *one);
+  }
+  return result;
+}
+
 /// The candidate's points and the exact camera with which they are compared: the trial's camera, or
 /// one with the same axes.
 class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const Camera& camera, std::vector<Pixel> pixels)
       : trial_(trial),
-        frame_(trial.exact_frame()),
         camera_(&camera == &*trial.scene().camera ? trial.exact_camera()
                                                   : ExactCamera(camera, trial.conventions())),
         pixels_(std::move(pixels)),
@@ -40,27 +70,93 @@ class PlaneAnswers {
   const Point3& point(std::size_t k) const { return points_[k]; }
   const ExactCamera& camera() const { return camera_; }
   ExactRay ray(std::size_t k) const { return {camera_, pixels_[k]}; }
-  Enclosure size_of_point(std::size_t k) const { return norm(ray(k).pixel_point()); }
 
-  /// (P - E).U, (P - E).V, (P - E).W of the candidate's point.
-  Enclosure3 position(std::size_t k) const {
-    const Enclosure3 from_eye = enclose_exactly(points_[k]) - enclose_exactly(camera_.camera().eye);
-    return {dot(from_eye, frame_.U), dot(from_eye, frame_.V), dot(from_eye, frame_.W)};
+  /// The numbers that errors are computed from: in balls, and in double-doubles.
+  struct InBalls {
+    using Number = Enclosure;
+    const PlaneAnswers& of;
+
+    Enclosure3 point(std::size_t k) const { return enclose_exactly(of.points_[k]); }
+    Enclosure size_of_point(std::size_t k) const { return norm(of.ray(k).pixel_point()); }
+    /// (P - E).U, (P - E).V, (P - E).W of the candidate's point.
+    Enclosure3 position(std::size_t k) const {
+      return along_axes(point(k) - enclose_exactly(of.camera_.camera().eye),
+                        of.trial_.exact_frame());
+    }
+    /// alpha, beta, n of the exact point.
+    Enclosure3 exact_position(std::size_t k) const {
+      return of.camera_.plane_position(of.pixels_[k], kBits);
+    }
+    Enclosure3 off(std::size_t k) const { return position(k) - exact_position(k); }
+  };
+  struct InDoubleDoubles {
+    using Number = DoubleDouble;
+    using Triple = reference::Triple<DoubleDouble>;
+    const PlaneAnswers& of;
+    reference::DoubleDoubleFrame axes = of.camera_.frame_in_double_doubles();
+
+    Triple point(std::size_t k) const { return reference::in_double_doubles(of.points_[k]); }
+    DoubleDouble size_of_point(std::size_t k) const {
+      const auto [alpha, beta, n] = exact_position(k);
+      const auto [x, y, z] = of.camera_.camera().eye;
+      const auto& [U, V, W] = axes;
+      return norm(Triple{DoubleDouble(x) + n * W.x + alpha * U.x + beta * V.x,
+                         DoubleDouble(y) + n * W.y + alpha * U.y + beta * V.y,
+                         DoubleDouble(z) + n * W.z + alpha * U.z + beta * V.z});
+    }
+    Triple position(std::size_t k) const {
+      return along_axes(point(k) - reference::in_double_doubles(of.camera_.camera().eye), axes);
+    }
+    Triple exact_position(std::size_t k) const {
+      return of.camera_.plane_position_in_double_doubles(of.pixels_[k]);
+    }
+    Triple off(std::size_t k) const { return position(k) - exact_position(k); }
+  };
+  /// The sign of number(in), in double-doubles if it is certain.
+  template <class GetNumber>
+  int sign(const GetNumber& number) const {
+    const auto near =
+        reference::by_double_doubles([&] { return number(InDoubleDoubles{*this}).certain_sign(); });
+    return near ? *near : number(InBalls{*this}).certain_sign().value_or(0);
   }
-  /// alpha, beta, n of the exact point.
-  Enclosure3 exact_position(std::size_t k) const {
-    return camera_.plane_position(pixels_[k], kBits);
-  }
+
   /// The condition number of a relation is that of the worst of the points that it relates.
   double worst_condition() const {
-    double worst = 0;
-    for (std::size_t k = 0; k < size(); ++k) {
-      worst = std::max(worst, reference::condition_of_pixel_point(ray(k)));
-    }
-    return worst;
+    return worst_of([](const ExactRay& ray) { return reference::condition_of_pixel_point(ray); });
   }
-  /// Measures an error at a pixel, with the condition number of all the pixel points. `what`
-  /// returns the text of a discrepancy.
+  /// Whether positions at the distances across(in) and down(in) differ by much more than the largest
+  /// allowed errors, so that errors of their ratios are linear.
+  template <class Across, class Down>
+  bool are_separated(const Across& across, const Down& down) const {
+    const auto are_apart = [&](double condition) {
+      const double allowed = trial_.bound(Quantity::kPixelPoint) * bound_growth(condition) *
+                             scene::unit_roundoff(trial_.precision());
+      if (!std::isfinite(allowed)) return false;
+      const auto is_apart = [&](const auto& distance) {
+        return sign([&](const auto& in) {
+                 return abs(distance(in)) - at_precision(16 * allowed, in) * in.size_of_point(0);
+               }) > 0;
+      };
+      return is_apart(across) && is_apart(down);
+    };
+    return are_apart(worst_of(&reference::most_condition_of_pixel_point)) ||
+           are_apart(worst_condition());
+  }
+  /// Measures the largest of the errors error(in) at a pixel, with the condition number of all the
+  /// pixel points. `what` returns the text of a discrepancy.
+  template <class Error, class What>
+  void measure(Verdict& verdict, std::size_t k, const Error& error, double bound,
+               const What& what) const {
+    measure(verdict, k,
+            trial_.settled(
+                verdict, Quantity::kPixelPoint, bound,
+                [&] {
+                  return reference::by_double_doubles(
+                      [&] { return largest(error(InDoubleDoubles{*this})); });
+                },
+                [&] { return largest(error(InBalls{*this})); }),
+            bound, what);
+  }
   template <class What>
   void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,
                const What& what) const {
@@ -76,33 +172,26 @@ class PlaneAnswers {
   }
 
  private:
-  const Trial& trial_;
-  const reference::EnclosedFrame& frame_;
+  template <class Triple, class Frame>
+  static Triple along_axes(const Triple& v, const Frame& axes) {
+    return {dot(v, axes.U), dot(v, axes.V), dot(v, axes.W)};
+  }
+  static Enclosure at_precision(double x, const InBalls& /*in*/) { return Enclosure(x, kBits); }
+  static DoubleDouble at_precision(double x, const InDoubleDoubles& /*in*/) {
+    return DoubleDouble(x);
+  }
+  template <class Condition>
+  double worst_of(const Condition& condition) const {
+    double worst = 0;
+    for (std::size_t k = 0; k < size(); ++k) worst = std::max(worst, condition(ray(k)));
+    return worst;
+  }
+
+  Trial& trial_;
   ExactCamera camera_;
   std::vector<Pixel> pixels_;
   std::vector<Point3> points_;
 };
-
-/// |error| / size; an exact 0 is right for any size.
-scene::Measured relative(const Enclosure& error, const Enclosure& size) {
-  if (error.certain_sign() == 0) return {0};
-  return size.contains_zero() ? kInfiniteError : in_units_of_u(error / size);
-}
-
-/// Whether positions at these distances differ by much more than the largest allowed errors, so
-/// that errors of their ratios are linear.
-bool are_separated(const Trial& trial, const PlaneAnswers& answers, const Enclosure& across,
-                   const Enclosure& down) {
-  const double allowed = trial.bound(Quantity::kPixelPoint) *
-                         bound_growth(answers.worst_condition()) *
-                         scene::unit_roundoff(trial.precision());
-  if (!std::isfinite(allowed)) return false;
-  const Enclosure off = Enclosure(16 * allowed, kBits) * answers.size_of_point(0);
-  const auto is_apart = [&off](const Enclosure& distance) {
-    return (abs(distance) - off).certain_sign().value_or(0) > 0;
-  };
-  return is_apart(across) && is_apart(down);
-}
 
 std::vector<Pixel> corners(const Camera& camera) {
   std::vector<Pixel> result;
@@ -170,13 +259,21 @@ void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& ans
   }
 }
 
+/// The errors of a point along U and V.
+template <class In>
+auto sideways(const In& in, std::size_t k) {
+  using Error = Share<typename In::Number>;
+  const auto off = in.off(k);
+  const auto size = in.size_of_point(k);
+  return std::array{Error{off.x, size}, Error{off.y, size}};
+}
+
 void judge_bounds(Trial& trial, Verdict& verdict) {
   const PlaneAnswers answers(trial, *trial.scene().camera, corners(*trial.scene().camera));
   for (std::size_t k = 0; k < answers.size(); ++k) {
-    const Enclosure3 off = answers.position(k) - answers.exact_position(k);
-    const Enclosure size = answers.size_of_point(k);
-    answers.measure(verdict, k, std::max(relative(off.x, size), relative(off.y, size)),
-                    trial.bound(Quantity::kPixelPoint), [] { return "corner"; });
+    answers.measure(
+        verdict, k, [k](const auto& in) { return sideways(in, k); },
+        trial.bound(Quantity::kPixelPoint), [] { return "corner"; });
     judge_promised_bits(trial, verdict, answers, k);
   }
 }
@@ -188,15 +285,20 @@ void judge_image_plane(Trial& trial, Verdict& verdict) {
     if (pixel.i + 1 < camera.width) here_and_next.push_back({pixel.i + 1, pixel.j});
     if (pixel.j + 1 < camera.height) here_and_next.push_back({pixel.i, pixel.j + 1});
     const PlaneAnswers answers(trial, camera, here_and_next);
-    const Enclosure size = answers.size_of_point(0);
-    const Enclosure3 here = answers.position(0) - answers.exact_position(0);
-    answers.measure(verdict, 0, relative(here.z, size), trial.bound(Quantity::kPixelPoint),
-                    [] { return "distance from the image plane"; });
+    answers.measure(
+        verdict, 0,
+        []<class In>(const In& in) {
+          return std::array{Share<typename In::Number>{in.off(0).z, in.size_of_point(0)}};
+        },
+        trial.bound(Quantity::kPixelPoint), [] { return "distance from the image plane"; });
     for (std::size_t k = 1; k < answers.size(); ++k) {
-      const Enclosure3 next = answers.position(k) - answers.exact_position(k);
-      answers.measure(verdict, k, relative(norm(next - here), size),
-                      2 * trial.bound(Quantity::kPixelPoint),
-                      [&] { return "step from " + name(pixel); });
+      answers.measure(
+          verdict, k,
+          [k]<class In>(const In& in) {
+            return std::array{
+                Share<typename In::Number>{norm(in.off(k) - in.off(0)), in.size_of_point(0)}};
+          },
+          2 * trial.bound(Quantity::kPixelPoint), [&] { return "step from " + name(pixel); });
     }
   }
 }
@@ -215,11 +317,15 @@ void judge_centre_pixel(Trial& trial, Verdict& verdict) {
     return verdict.leave_out("the bounds are not symmetric");
   }
   const PlaneAnswers answers(trial, camera, {{last_pixel.i / 2, last_pixel.j / 2}});
-  const Enclosure3 position = answers.position(0);
-  const Enclosure off_axis = norm(Enclosure3{position.x, position.y, Enclosure(0)});
-  answers.measure(verdict, 0, relative(off_axis, answers.size_of_point(0)),
-                  trial.bound(Quantity::kPixelPoint),
-                  [] { return "distance from the optical axis"; });
+  answers.measure(
+      verdict, 0,
+      []<class In>(const In& in) {
+        using Number = typename In::Number;
+        auto [x, y, z] = in.position(0);
+        return std::array{Share<Number>{norm(reference::Triple<Number>{x, y, Number(0)}),
+                                        in.size_of_point(0)}};
+      },
+      trial.bound(Quantity::kPixelPoint), [] { return "distance from the optical axis"; });
 }
 
 void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
@@ -228,23 +334,23 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
     return verdict.leave_out("an image of one row or column has no distinct corners");
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
-  const Enclosure3 extent = answers.exact_position(1) - answers.exact_position(0);
-  if (!are_separated(trial, answers, extent.x, extent.y)) {
+  const auto extent = [](const auto& in) { return in.exact_position(1) - in.exact_position(0); };
+  if (!answers.are_separated([&](const auto& in) { return extent(in).x; },
+                             [&](const auto& in) { return extent(in).y; })) {
     return verdict.leave_out("the image is too small for the rounding of its pixel points");
   }
-  const Enclosure3 got = answers.position(0);
-  const Enclosure3 own = got - answers.exact_position(0);
-  const Enclosure3 opposite = got - answers.exact_position(1);
-  const auto is_nearer = [](const Enclosure& a, const Enclosure& b) {
-    return (abs(b) - abs(a)).certain_sign().value_or(0) > 0;
+  const auto is_nearer_own = [&](auto along) {
+    return answers.sign([&](const auto& in) {
+             const auto got = in.position(0);
+             return abs(along(got - in.exact_position(1))) -
+                    abs(along(got - in.exact_position(0)));
+           }) > 0;
   };
-  const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
-  const auto off = [&] {
-    const Enclosure size = answers.size_of_point(0);
-    return std::max(relative(own.x, size), relative(own.y, size));
-  };
-  answers.measure(verdict, 0, right ? scene::Measured{} : off(), trial.bound(Quantity::kPixelPoint),
-                  [] { return "nearer to another corner"; });
+  const bool right = is_nearer_own([](const auto& v) { return v.x; }) &&
+                     is_nearer_own([](const auto& v) { return v.y; });
+  answers.measure(verdict, 0,
+                  right ? scene::Measured{} : largest(sideways(PlaneAnswers::InBalls{answers}, 0)),
+                  trial.bound(Quantity::kPixelPoint), [] { return "nearer to another corner"; });
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
@@ -265,10 +371,13 @@ void judge_density(Trial& trial, Verdict& verdict) {
   const PlaneAnswers sparse(trial, camera, pixels);
   const PlaneAnswers dense(trial, denser, same_places);
   for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const Enclosure3 moved = enclose_exactly(dense.point(k)) - enclose_exactly(sparse.point(k));
+    const auto off = [&] {
+      const Enclosure3 moved = enclose_exactly(dense.point(k)) - enclose_exactly(sparse.point(k));
+      return largest(std::array{
+          Share<Enclosure>{norm(moved), PlaneAnswers::InBalls{sparse}.size_of_point(k)}});
+    };
     const bool is_same = dense.point(k) - sparse.point(k) == Vector3{};
-    const scene::Measured error =
-        is_same ? scene::Measured{} : relative(norm(moved), sparse.size_of_point(k));
+    const scene::Measured error = is_same ? scene::Measured{} : off();
     sparse.measure(verdict, k, error, 2 * trial.bound(Quantity::kPixelPoint),
                    [] { return "at twice the density"; });
   }
@@ -280,35 +389,47 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
     return verdict.leave_out("an image of one row or column has only one spacing");
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {1, 0}, {0, 1}});
-  const auto step = [&](std::size_t k) {
-    return norm(enclose_exactly(answers.point(k)) - enclose_exactly(answers.point(0)));
+  const auto step = [](const auto& in, std::size_t k) { return norm(in.point(k) - in.point(0)); };
+  const auto across = [](const auto& in) {
+    return abs(in.exact_position(1).x - in.exact_position(0).x);
   };
-  const Enclosure3 origin = answers.exact_position(0);
-  const Enclosure across = abs(answers.exact_position(1).x - origin.x);
-  const Enclosure down = abs(answers.exact_position(2).y - origin.y);
-  if (!are_separated(trial, answers, across, down)) {
+  const auto down = [](const auto& in) {
+    return abs(in.exact_position(2).y - in.exact_position(0).y);
+  };
+  if (!answers.are_separated(across, down)) {
     return verdict.leave_out("a pixel is too small for the rounding of its points");
   }
   // The error is got ratio / exact ratio - 1. Pixels are square if the exact ratio is 1.
-  const Enclosure got_down = step(2);
-  const scene::Measured error =
-      got_down.contains_zero() ? kInfiniteError
-                               : in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
+  const auto off = [&]<class In>(const In& in) {
+    return step(in, 1) * down(in) / (step(in, 2) * across(in)) - typename In::Number(1);
+  };
+  const PlaneAnswers::InBalls balls{answers};
+  const double bound = 2 * trial.bound(Quantity::kPixelPoint);
+  const scene::Measured error = trial.settled(
+      verdict, Quantity::kPixelPoint, bound,
+      [&] {
+        return reference::by_double_doubles([&] {
+          return reference::narrow_error_in_u(abs(off(PlaneAnswers::InDoubleDoubles{answers})));
+        });
+      },
+      [&] {
+        return step(balls, 2).contains_zero() ? kInfiniteError : in_units_of_u(off(balls));
+      });
   Place place;
   place.pixel = Pixel{0, 0};
   trial.measure(
-      verdict, {Quantity::kPixelPoint, place, error, 2 * trial.bound(Quantity::kPixelPoint)},
+      verdict, {Quantity::kPixelPoint, place, error, bound},
       [&] {
         // A step is a difference of two points, so its condition number is |P| / step.
-        const Enclosure size = answers.size_of_point(0);
+        const Enclosure size = balls.size_of_point(0);
         const double worst = std::max(kModerateCondition, answers.worst_condition());
-        return worst * (size / across + size / down + Enclosure(1)).upper();
+        return worst * (size / across(balls) + size / down(balls) + Enclosure(1)).upper();
       },
       [&](Discrepancy& d) {
         d.what = "spacing of columns over that of rows";
         d.symbol.clear();
-        d.got = {(step(1) / got_down).upper()};
-        d.exact = {(across / down).upper()};
+        d.got = {(step(balls, 1) / step(balls, 2)).upper()};
+        d.exact = {(across(balls) / down(balls)).upper()};
       });
 }
 

@@ -100,8 +100,9 @@ std::uint64_t stream_of(std::uint64_t seed, int before) {
 /// set of conventions, and one set of answers of a candidate for all laws.
 class AskedCase {
  public:
-  AskedCase(const ChosenSource& source, std::uint64_t seed)
-      : seed_(seed), made_(source.make(seed)) {}
+  /// `turn`: see TrialOptions.
+  AskedCase(const ChosenSource& source, std::uint64_t seed, std::uint64_t turn)
+      : seed_(seed), turn_(turn), made_(source.make(seed)) {}
 
   /// To be called for all searches of a candidate in succession, because they share its trials.
   void judge(LawSearch& search, const Candidate& candidate, std::optional<double> max_error) {
@@ -115,7 +116,8 @@ class AskedCase {
         trials_.emplace(*the_case, candidate,
                         TrialOptions{.max_error = max_error,
                                      .truth = rounded.truths->under(
-                                         conventions, candidate.interface.from_inside)});
+                                         conventions, candidate.interface.from_inside),
+                                     .turn = turn_});
       }
     }
     search.judge(seed_, rounded.rounded, trials_ ? &*trials_ : nullptr);
@@ -136,7 +138,7 @@ class AskedCase {
     return *kept;
   }
 
-  std::uint64_t seed_;
+  std::uint64_t seed_, turn_;
   Case made_;
   ByFormat<std::unique_ptr<Rounded>> formats_;
   const Candidate* candidate_ = nullptr;
@@ -307,7 +309,10 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
       for (std::size_t law = 0; law < searches.size(); ++law) {
         const Tried& tried = series.tried[law];
         if (at >= tried.cases || is_over(law)) continue;
-        if (!asked) asked.emplace(series.source, one.split().next());
+        if (!asked) {
+          asked.emplace(series.source, one.split().next(),
+                        series.source.hash() + static_cast<std::uint64_t>(at));
+        }
         asked->judge(searches[law], candidates[tried.candidate],
                      candidates_[tried.candidate].asked.options.max_error);
       }

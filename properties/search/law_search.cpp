@@ -16,13 +16,14 @@ struct CaseVerdict {
   Verdict verdict;
 };
 
-/// `trials` is null if the case is not valid under the candidate's conventions.
-CaseVerdict verdict_on(const Law& law, Trials* trials) {
+/// `trials` is null if the case is not valid under the candidate's conventions. `earlier`: see
+/// Trial::set_earlier.
+CaseVerdict verdict_on(const Law& law, Trials* trials, const Verdict* earlier = nullptr) {
   if (trials == nullptr) return {false, false, Verdict(law.name)};
   Trial& trial = trials->of(law);
   // If the candidate lacks functions, that is the reason, even outside its domain.
   const bool judged = trial.is_judged(law.quantity) || !what_is_missing(law.needs, trial).empty();
-  return {judged, &trial != &trials->on_case(), judged ? trials->apply(law) : Verdict(law.name)};
+  return {judged, &trial != &trials->on_case(), judged ? trials->apply(law, earlier) : Verdict(law.name)};
 }
 
 CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& the_case,
@@ -43,7 +44,7 @@ void LawSearch::judge(std::uint64_t seed, const RoundedCase& rounded, Trials* tr
   const std::uint64_t undecided = part.verdict.count(Standing::kUndecided);
   failure.reset();
   if (rounded.the_case) {
-    auto [judged, given, verdict] = verdict_on(*law_, trials);
+    auto [judged, given, verdict] = verdict_on(*law_, trials, &part.verdict);
     take(*rounded.the_case, judged, given, std::move(verdict));
   } else {
     leave_out(rounded.reason);

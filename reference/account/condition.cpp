@@ -60,6 +60,30 @@ double condition_of_pixel_point(const ExactRay& ray) {
       [&] { return is_zero(ray.pixel_point()); });
 }
 
+double most_condition_of_pixel_point(const ExactRay& ray) {
+  const scene::Camera& camera = ray.source().camera->camera;
+  const double most = by_double_doubles([&] {
+    const auto line = line_in_double_doubles(ray);
+    const auto inputs = lift_camera(DoubleDoubleLift{}, camera);
+    const auto length = [](const auto& v) { return sqrt(DoubleDouble(v * v)); };
+    const auto sum = [](const auto& v) { return abs(v.x()) + abs(v.y()) + abs(v.z()); };
+    const DoubleDoubleKernel::Vector_3 w = inputs.eye - inputs.look_at;
+    const DoubleDouble w_size = length(w);
+    const DoubleDouble u_size =
+        length(DoubleDoubleKernel::Vector_3(CGAL::cross_product(inputs.up, w)));
+    const DoubleDouble positions = sum(inputs.eye) + sum(inputs.look_at);
+    const DoubleDouble turned = positions * (DoubleDouble(1) / w_size + length(inputs.up) / u_size) +
+                                sum(inputs.up) * w_size / u_size;
+    const DoubleDouble all = sum(inputs.eye) + sqrt(line.a) * turned + abs(inputs.near) +
+                             abs(inputs.left) + abs(inputs.right) + abs(inputs.bottom) +
+                             abs(inputs.top);
+    return (all / length(DoubleDoubleKernel::Vector_3(line.base + line.g))).upper();
+  });
+  // condition_of_pixel_point() is too large by at most these.
+  const double bound = most * (1 + 2 * kConditionWidth) + 2 * kNegligibleCondition;
+  return std::isnan(bound) ? std::numeric_limits<double>::infinity() : bound;
+}
+
 double condition_of_direction(const ExactRay& ray) {
   return line_condition(
       ray, [](const auto& line) { return unit_direction(line); }, never);

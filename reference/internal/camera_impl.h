@@ -4,6 +4,7 @@
 
 #include "reference/exact_camera.h"
 #include "reference/internal/formulas.h"
+#include "reference/internal/quick_line.h"
 #include "reference/internal/rounding.h"
 #include "scene/on_demand.h"
 
@@ -31,6 +32,7 @@ struct ExactCamera::Impl {
   scene::Camera camera;
   scene::Conventions conventions;
   CameraNumbers<IntervalKernel> intervals;
+  QuickAxes quick;
 
  private:
   const CameraNumbers<EnclosureKernel>& first_bits() const;

@@ -1,5 +1,7 @@
 #include "reference/internal/double_double.h"
 
+#include <CGAL/Interval_nt.h>
+
 #include <limits>
 
 namespace raycheck::reference {
@@ -31,5 +33,9 @@ Enclosure DoubleDouble::enclosure() const {
   mag_set_d(arb_radref(result.ball()), radius_);
   return result;
 }
+
+NearestGuard::NearestGuard()
+    : before_(static_cast<unsigned>(CGAL::FPU_get_and_set_cw(CGAL_FE_TONEAREST))) {}
+NearestGuard::~NearestGuard() { CGAL::FPU_set_cw(static_cast<CGAL::FPU_CW_t>(before_)); }
 
 }  // namespace raycheck::reference

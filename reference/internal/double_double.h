@@ -215,4 +215,50 @@ inline DoubleDouble sqrt(const DoubleDouble& a) {
           DoubleDouble::up(carried + rounding + DoubleDouble::underflow_of_radius(a.radius_))};
 }
 
+/// While an object lives, doubles round to nearest, in every rounding mode of the caller.
+class NearestGuard {
+ public:
+  NearestGuard();
+  ~NearestGuard();
+  NearestGuard(const NearestGuard&) = delete;
+  NearestGuard& operator=(const NearestGuard&) = delete;
+
+ private:
+  unsigned before_;
+};
+
+// With sanitizers, the code would be too large for one function.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define RAYCHECK_FLATTEN
+#else
+#define RAYCHECK_FLATTEN gnu::flatten,
+#endif
+
+// Call f(). They are separate functions, so that the compiler moves no operation to where doubles
+// round upward.
+template <class F>
+[[RAYCHECK_FLATTEN gnu::noinline]] auto called(const F& f) {
+  return f();
+}
+#ifdef __x86_64__
+template <class F>
+[[ RAYCHECK_FLATTEN gnu::noinline, gnu::target("fma") ]] auto called_with_fma(const F& f) {
+  return f();
+}
+inline const bool has_fma = [] {
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("fma") != 0;
+}();
+#endif
+
+/// Calls f(), which computes in double-doubles, with fused multiply-adds if the processor has them.
+template <class F>
+auto by_double_doubles(const F& f) {
+  const NearestGuard guard;
+#ifdef __x86_64__
+  if (has_fma) return called_with_fma(f);
+#endif
+  return called(f);
+}
+
 }  // namespace raycheck::reference

@@ -106,18 +106,28 @@ struct PlanePosition {
   FT alpha, beta;
 };
 
+/// A pixel's column and row.
+struct PixelIndices {
+  PixelIndex column, row;
+};
+inline PixelIndices indices_of(const scene::Camera& camera, const scene::Conventions& conventions,
+                               const scene::Pixel& pixel) {
+  const auto at = [&](std::int64_t index, std::int64_t count, bool is_from_high) {
+    return PixelIndex{static_cast<double>(index), scene::pixel_steps(conventions.samples, count),
+                      is_from_high};
+  };
+  return {at(pixel.i, camera.width, false),
+          at(pixel.j, camera.height, conventions.rows == scene::Rows::kTopFirst)};
+}
+
 template <class K, class Lift>
 PlanePosition<typename K::FT> plane_position(const Lift& lift, const CameraInputs<K>& inputs,
                                              const scene::Camera& camera,
                                              const scene::Conventions& conventions,
                                              const scene::Pixel& pixel) {
-  const auto at = [&](std::int64_t index, std::int64_t count, bool is_from_high) {
-    return PixelIndex{static_cast<double>(index), scene::pixel_steps(conventions.samples, count),
-                      is_from_high};
-  };
-  return {plane_coordinate(lift, inputs.left, inputs.right, at(pixel.i, camera.width, false)),
-          plane_coordinate(lift, inputs.bottom, inputs.top,
-                           at(pixel.j, camera.height, conventions.rows == scene::Rows::kTopFirst))};
+  const auto [column, row] = indices_of(camera, conventions, pixel);
+  return {plane_coordinate(lift, inputs.left, inputs.right, column),
+          plane_coordinate(lift, inputs.bottom, inputs.top, row)};
 }
 
 /// n W + alpha U + beta V: from the eye to the pixel point.

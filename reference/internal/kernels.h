@@ -23,47 +23,8 @@ using Interval = CGAL::Interval_nt<false>;
 using IntervalGuard = CGAL::Protect_FPU_rounding<true>;
 using IntervalKernel = CGAL::Simple_cartesian<Interval>;
 
-/// The stage between intervals and balls: double-doubles. Valid only while a NearestGuard lives,
-/// which makes doubles round to nearest in every rounding mode of the caller.
+/// The stage between intervals and balls: double-doubles. Valid only while a NearestGuard lives.
 using DoubleDoubleKernel = CGAL::Simple_cartesian<DoubleDouble>;
-class NearestGuard : CGAL::Protect_FPU_rounding<true> {
- public:
-  NearestGuard() : Protect_FPU_rounding(CGAL_FE_TONEAREST) {}
-};
-
-// With sanitizers, the code would be too large for one function.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define RAYCHECK_FLATTEN
-#else
-#define RAYCHECK_FLATTEN gnu::flatten,
-#endif
-
-// Call f(). They are separate functions, so that the compiler moves no operation to where doubles
-// round upward.
-template <class F>
-[[RAYCHECK_FLATTEN gnu::noinline]] auto called(const F& f) {
-  return f();
-}
-#ifdef __x86_64__
-template <class F>
-[[ RAYCHECK_FLATTEN gnu::noinline, gnu::target("fma") ]] auto called_with_fma(const F& f) {
-  return f();
-}
-inline const bool has_fma = [] {
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("fma") != 0;
-}();
-#endif
-
-/// Calls f(), which computes in double-doubles, with fused multiply-adds if the processor has them.
-template <class F>
-auto by_double_doubles(const F& f) {
-  const NearestGuard guard;
-#ifdef __x86_64__
-  if (has_fma) return called_with_fma(f);
-#endif
-  return called(f);
-}
 
 using EnclosureKernel = CGAL::Simple_cartesian<Enclosure>;
 

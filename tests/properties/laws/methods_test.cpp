@@ -28,7 +28,7 @@ const std::map<std::string_view, std::uint64_t> kLeastCompared = {
     {"focal-and-pixel", 970}, {"nearest-sphere", 560},
     {"scaling", 13000},       {"axes", 10500},
     {"look-at", 2900},        {"up", 1300},
-    {"growing-radius", 1300}, {"refusal", 16000},
+    {"growing-radius", 1300}, {"refusal", 1200},
     {"visible-sphere", 9500}, {"image", 1400},
     {"plan-left-out", 20000}, {"plan-rectangles", 44000},
     {"plan-roots", 40000}};
