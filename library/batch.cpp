@@ -165,8 +165,7 @@ static_assert(2 * fast::kDecidedS + 0x1p-53 < 0x1p-51);
 std::vector<std::size_t> valid_spheres(const Questions& asked) {
   std::vector<std::size_t> valid;
   for (std::size_t m = 0; m < asked.spheres(); ++m) {
-    if (asked.is_valid_sphere(m)) valid.push_back(m);
-    asked.note_sphere(m);
+    asked.is_valid_sphere(m) ? valid.push_back(m) : asked.note_sphere(m);
   }
   return valid;
 }
