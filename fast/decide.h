@@ -20,7 +20,7 @@ inline constexpr std::uint8_t kTangentRay = 8;
 /// Domain: all doubles. Invalid rays and spheres (scene/validate.h) have the code kOpen, and no
 ///         other answer depends on them.
 /// Error:  classes and roots are exact; s and Q are off by at most kDecidedS and kDecidedPoint
-///         (parameter_bound(), point_bound()). s and Q of misses are NaN.
+///         (bound_errors()). s and Q of misses are NaN.
 void decide(const BatchInput& input, const HitArrays& answers);
 
 /// s and C - Q of a hit to about 100 bits.
@@ -53,11 +53,9 @@ inline constexpr double kDecidedReach = 0x1p-85;
 
 inline constexpr double kLeastDouble = 0x1p-1074;
 
-inline double parameter_bound(double s) { return kDecidedS * std::abs(s) + kLeastDouble; }
-/// `reach` is M + |L|_1.
-inline double point_bound(double point, double step, double reach) {
-  return kDecidedPoint * std::abs(point) +
-         (kDecidedStep * std::abs(step) + (kDecidedReach * reach + kLeastDouble));
-}
+/// These bounds for the answers of decide(); null arrays are left out. A bound is infinite if s or
+/// Q is, and NaN for a miss.
+void bound_errors(const BatchInput& input, const HitArrays& answers, double* s_error,
+                  double* const (&point_error)[3]);
 
 }  // namespace raycheck::fast

@@ -34,17 +34,10 @@ constexpr auto root_of = [](std::uint8_t code) {
   return static_cast<std::uint8_t>(code >> 2 & 1);
 };
 
-/// Writes certified bounds on the errors of values, with the rounding to floats. bound(k) is
-/// infinite or NaN where the value is.
-template <class Bound>
+/// Writes certified bounds on errors, with the rounding of values to floats.
 void put_bounds(const Target& to, const Block& block, const double* values, bool is_single,
-                double* bounds, const Bound& bound) {
+                double* bounds) {
   if (!to) return;
-  bounds = to.block(block.first, bounds);
-  for (std::size_t k = 0; k < block.count; ++k) {
-    const double one = bound(k);
-    bounds[k] = one < kNothing || values[k] != values[k] ? one : kNothing;
-  }
   for (std::size_t k = 0; is_single && k < block.count; ++k) {
     if (!(bounds[k] < kNothing)) continue;
     const double rounding =
@@ -54,27 +47,26 @@ void put_bounds(const Target& to, const Block& block, const double* values, bool
   to.copy_out(block.first, block.count, bounds, Way::kUp);
 }
 
-void put_point_bounds(const Questions& asked, const Target3& to, const Target3& point,
-                      const Block& block, double* reach, double* bounds) {
-  if (!to) return;
-  const bool has_reach = asked.is_usual();
-  for (std::size_t k = 0; has_reach && k < block.count; ++k) {
-    const auto [origin, direction] = block.input.ray(k);
-    const auto [centre, radius] = block.input.sphere_of(k);
-    reach[k] = (std::abs(origin.x) + std::abs(origin.y) + std::abs(origin.z)) +
-               (std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z)) + radius;
+/// Writes s and Q of a block, and the bounds of their errors.
+void put_values(const Block& block, const Target& s, const Target3& point, const Target& s_error,
+                const Target3& point_error, Work& work) {
+  const auto& [x, y, z] = point;
+  double* const s_bound = s_error ? s_error.block(block.first, work.found[4].data()) : nullptr;
+  double* bounds[3] = {};
+  if (point_error) {
+    bounds[0] = point_error.x.block(block.first, work.found[5].data());
+    bounds[1] = point_error.y.block(block.first, work.found[6].data());
+    bounds[2] = point_error.z.block(block.first, work.found[7].data());
   }
-  const Target* const targets[] = {&to.x, &to.y, &to.z};
-  const Target* const points[] = {&point.x, &point.y, &point.z};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double* const d = block.input.rays.direction[axis];
-    const double* const value = block.to.point[axis];
-    const double* const s = block.to.parameter;
-    put_bounds(*targets[axis], block, value, points[axis]->is_single(), bounds, [&](std::size_t k) {
-      return has_reach ? fast::point_bound(value[k], s[k] * d[k], reach[k])
-                       : fast::point_bound(value[k], 0, 0);
-    });
-  }
+  fast::bound_errors(block.input, block.to, s_bound, bounds);
+  put_bounds(s_error, block, block.to.parameter, s.is_single(), s_bound);
+  put_bounds(point_error.x, block, block.to.point[0], x.is_single(), bounds[0]);
+  put_bounds(point_error.y, block, block.to.point[1], y.is_single(), bounds[1]);
+  put_bounds(point_error.z, block, block.to.point[2], z.is_single(), bounds[2]);
+  s.copy_out(block.first, block.count, block.to.parameter);
+  x.copy_out(block.first, block.count, block.to.point[0]);
+  y.copy_out(block.first, block.count, block.to.point[1]);
+  z.copy_out(block.first, block.count, block.to.point[2]);
 }
 
 void decide(const Questions& asked, const raycheck_decided& to) {
@@ -90,14 +82,7 @@ void decide(const Questions& asked, const raycheck_decided& to) {
     decide_block(asked, block);
     put_bytes(hit_class, block, work.bytes.data(), class_of);
     put_bytes(root, block, work.bytes.data(), root_of);
-    const double* const values = block.to.parameter;
-    put_bounds(s_error, block, values, s.is_single(), work.found[4].data(),
-               [&](std::size_t k) { return fast::parameter_bound(values[k]); });
-    put_point_bounds(asked, point_error, point, block, work.found[4].data(), work.found[5].data());
-    s.copy_out(first, count, values);
-    point.x.copy_out(first, count, block.to.point[0]);
-    point.y.copy_out(first, count, block.to.point[1]);
-    point.z.copy_out(first, count, block.to.point[2]);
+    put_values(block, s, point, s_error, point_error, work);
   });
   asked.require_none_invalid();
 }
@@ -180,8 +165,7 @@ static_assert(2 * fast::kDecidedS + 0x1p-53 < 0x1p-51);
 std::vector<std::size_t> valid_spheres(const Questions& asked) {
   std::vector<std::size_t> valid;
   for (std::size_t m = 0; m < asked.spheres(); ++m) {
-    if (asked.is_valid_sphere(m)) valid.push_back(m);
-    asked.note_sphere(m);
+    asked.is_valid_sphere(m) ? valid.push_back(m) : asked.note_sphere(m);
   }
   return valid;
 }
@@ -218,13 +202,7 @@ void nearest(const Questions& asked, const raycheck_seen& to) {
       seen.sphere.set_integer(first + k, work.sphere[k]);
       seen.ties.set_integer(first + k, work.ties[k]);
     }
-    const double* const values = block.to.parameter;
-    put_bounds(seen.s_error, block, values, seen.s.is_single(), work.found[4].data(),
-               [&](std::size_t k) { return fast::parameter_bound(values[k]); });
-    seen.s.copy_out(first, count, values);
-    seen.point.x.copy_out(first, count, block.to.point[0]);
-    seen.point.y.copy_out(first, count, block.to.point[1]);
-    seen.point.z.copy_out(first, count, block.to.point[2]);
+    put_values(block, seen.s, seen.point, seen.s_error, {}, work);
   });
   asked.require_none_invalid();
 }

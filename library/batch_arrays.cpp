@@ -175,7 +175,10 @@ bool Questions::is_valid_ray(std::size_t ray) const {
                      (direction.z - direction.z);  // 0 if all are finite
   return sum == 0 && direction != scene::Vector3{};
 }
-bool Questions::is_valid_sphere(std::size_t k) const { return scene::defects(sphere(k)).empty(); }
+bool Questions::is_valid_sphere(std::size_t k) const {
+  const auto [at, r] = sphere(k);
+  return (at.x - at.x) + (at.y - at.y) + (at.z - at.z) + (r - r) == 0 && r >= 0;
+}
 
 namespace {
 void lower(std::atomic<std::size_t>& least, std::size_t k) {

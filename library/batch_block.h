@@ -43,14 +43,18 @@ struct Block {
           {point.x.block(answer, work.found[1].data()), point.y.block(answer, work.found[2].data()),
            point.z.block(answer, work.found[3].data())}};
     input.rule = {asked.conventions().root, scene::Tangent::kHit};
-    if (!asked.is_usual() || asked.spheres() == 0) return;
+    input.count = count;
+    if (!asked.is_usual() || asked.spheres() == 0) {  // bound_errors() adds nothing of the inputs
+      const double* const zeros = (work.given[0] = Numbers()).data();
+      input.rays = {{zeros, zeros, zeros}, {zeros, zeros, zeros}};
+      return;
+    }
     const auto arrays = [&](const Column3& of, std::size_t from, std::size_t k, auto& in) {
       in[0] = of.x.block(from, count, work.given[k].data());
       in[1] = of.y.block(from, count, work.given[k + 1].data());
       in[2] = of.z.block(from, count, work.given[k + 2].data());
     };
     const std::size_t ray = asked.ray_of(first);
-    input.count = count;
     arrays(asked.origin, ray, 0, input.rays.origin);
     arrays(asked.direction, ray, 3, input.rays.direction);
     if (asked.each_with_every() || asked.spheres() == 1) {

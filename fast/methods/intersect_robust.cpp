@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 
 #include <cstring>
+#include <type_traits>
 
 #include "fast/internal/error_free.h"
 #include "fast/internal/robust.h"
@@ -212,6 +213,53 @@ bool decide_batch(const BatchInput& input, const HitArrays& answers) {
   return answer_batch(decide_whole, input, answers);
 }
 
+template <class N>
+HWY_INLINE N number_at(const double* from) {
+  if constexpr (std::is_same_v<N, double>) {
+    return *from;
+  } else {
+    return load(from);
+  }
+}
+template <class N>
+HWY_INLINE N bound_or_infinity(const N& bound, const N& value) {
+  return select((bound < N(HUGE_VAL)) | (!(value == value)), bound, N(HUGE_VAL));
+}
+
+template <class N>
+HWY_INLINE void bounds_at(std::size_t k, const BatchInput& input, const HitArrays& of,
+                          double* s_error, double* const (&point_error)[3]) {
+  const N s = number_at<N>(of.parameter + k), least(kLeastDouble);
+  if (s_error != nullptr) {
+    store(bound_or_infinity(N(kDecidedS) * absolute(s) + least, s), s_error + k);
+  }
+  if (point_error[0] == nullptr) return;
+  const scene::Sphere& one = input.sphere;
+  const double given[] = {one.centre.x, one.centre.y, one.centre.z};
+  N reach = input.spheres != nullptr ? number_at<N>(input.spheres->radius + k) : N(one.radius);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const N centre =
+        input.spheres != nullptr ? number_at<N>(input.spheres->centre[axis] + k) : N(given[axis]);
+    reach = reach + (absolute(centre) + absolute(number_at<N>(input.rays.origin[axis] + k)));
+  }
+  const N rest = N(kDecidedReach) * reach + least;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const N step = absolute(s * number_at<N>(input.rays.direction[axis] + k));
+    const N point = number_at<N>(of.point[axis] + k);
+    const N bound = N(kDecidedPoint) * absolute(point) + (N(kDecidedStep) * step + rest);
+    store(bound_or_infinity(bound, point), point_error[axis] + k);
+  }
+}
+
+[[gnu::flatten]] void bound_batch(const BatchInput& input, const HitArrays& of, double* s_error,
+                                  double* const (&point_error)[3]) {
+  std::size_t k = 0;
+  for (; k + kLaneCount <= input.count; k += kLaneCount) {
+    bounds_at<Lanes>(k, input, of, s_error, point_error);
+  }
+  for (; k < input.count; ++k) bounds_at<double>(k, input, of, s_error, point_error);
+}
+
 /// The first step's answer to one ray; empty if it is not certain.
 [[gnu::flatten]] std::optional<Chosen> robust_one(const scene::Ray& ray,
                                                   const scene::Sphere& sphere,
@@ -233,6 +281,7 @@ namespace {
 
 HWY_EXPORT(robust_batch);
 HWY_EXPORT(decide_batch);
+HWY_EXPORT(bound_batch);
 HWY_EXPORT(robust_one);
 
 void intersect_by_robust(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule,
@@ -259,6 +308,11 @@ void decide(const BatchInput& input, const HitArrays& answers) {
   if (!(asked.sphere.radius >= 0)) asked.sphere.radius = std::nan("");
   HWY_DYNAMIC_DISPATCH(decide_batch)(asked, answers);
   settle(asked, answers, true);
+}
+
+void bound_errors(const BatchInput& input, const HitArrays& answers, double* s_error,
+                  double* const (&point_error)[3]) {
+  HWY_DYNAMIC_DISPATCH(bound_batch)(input, answers, s_error, point_error);
 }
 
 /// On every valid input the class is exact and s is within max_ulp, even if s is subnormal. s
