@@ -2,6 +2,7 @@
 
 import base64
 import hashlib
+import os
 import pathlib
 import re
 import subprocess
@@ -33,7 +34,8 @@ def build_wheel(directory, settings=None, metadata=None):
     made = build / "python" / "raycheck"
     files = {f"raycheck/{path.name}": path for path in made.iterdir() if path.is_file()}
     module = next(path for path in made.iterdir() if path.name.startswith("_core."))
-    loaded = subprocess.run(["ldd", module], check=True, capture_output=True, text=True).stdout
+    loaded = subprocess.run(["ldd", module], check=True, capture_output=True, text=True,
+                            env={**os.environ, "LD_LIBRARY_PATH": str(build / "library")}).stdout
     for name, path in re.findall(r"(\S+) => (/\S+)", loaded):
         if not OF_THE_SYSTEM.fullmatch(name):
             files[f"raycheck/{name}"] = pathlib.Path(path)
