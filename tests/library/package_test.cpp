@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kPackages = {"raycheck", "libraycheck0", "libraycheck-dev"};
+const std::vector<std::string> kPackages = {"raycheck", "libraycheck0", "libraycheck-dev",
+                                            "python3-raycheck"};
 
 bool is_installed(const std::string& program) { return shell("command -v " + program).code == 0; }
 
