@@ -87,23 +87,22 @@ void spoil_cameras(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
   const Conventions& conventions = trial.conventions();
   const std::vector<Pixel> pixels = {{0, 0}};
-  constexpr std::size_t kCount = std::size(kCameraSpoilings);
-  for (std::size_t k = 0; k < kCount; ++k) {
-    const auto& [what, spoil, keeps_frame] = kCameraSpoilings[k];
-    std::size_t function = 0;
-    const auto ask = [&, what = what](bool exists, const auto& question) {
-      // A turn asks two of the functions, with one defect.
-      const bool is_its_turn = is_asked(trial, k + kCount * function++, 2 * kCount);
-      if (exists && is_its_turn) expect_refusal(trial, verdict, what, question);
-    };
+  std::size_t defect = 0;
+  for (const auto& [what, spoil, keeps_frame] : kCameraSpoilings) {
+    if (!is_asked(trial, defect++, std::size(kCameraSpoilings))) continue;
     Camera camera = *trial.scene().camera;
     spoil(camera);
-    ask(candidate.frame && !keeps_frame, [&] { candidate.frame.as_is(camera); });
-    for (const auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
-      ask(static_cast<bool>(*make), [&] { make->as_is(camera, conventions, pixels); });
+    if (candidate.frame && !keeps_frame) {
+      expect_refusal(trial, verdict, what, [&] { candidate.frame.as_is(camera); });
     }
-    ask(static_cast<bool>(candidate.pixel_points),
-        [&] { candidate.pixel_points.as_is(camera, conventions, pixels); });
+    for (const auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+      if (!*make) continue;
+      expect_refusal(trial, verdict, what, [&] { make->as_is(camera, conventions, pixels); });
+    }
+    if (candidate.pixel_points) {
+      expect_refusal(trial, verdict, what,
+                     [&] { candidate.pixel_points.as_is(camera, conventions, pixels); });
+    }
   }
 }
 
