@@ -165,7 +165,7 @@ class FormattedWriter {
 
   std::string value_of(const std::string& slot, const std::string& written,
                        std::size_t sphere) const {
-    if (slot == "_" || slot == "*" || slot == "extra") return written;
+    if (slot == "_" || slot == "*" || slot == "extra" || slot == kAxis) return written;
     if (slot == "image") return "image.ppm";
     if (slot == "behind") return words(numbers_of(behind(*scene_.camera)));
     if (slot == "count") return std::to_string(scene_.spheres.size());
