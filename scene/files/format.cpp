@@ -10,10 +10,12 @@
 #include "scene/files/format_texts.h"
 #include "scene/files/toml_fields.h"
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::scene {
 namespace {
 
+constexpr std::string_view kBlanks = " \t\v\f\r\n";
 /// A slot other than an angle: how many numbers it has (0: words), and whose it is.
 struct Slot {
   std::string_view name;
@@ -72,13 +74,9 @@ class FormatReader {
     text_of("transformation", format_.transformation);
     fields_.choose(from, "nesting", kNestingNames, format_.nesting);
     if (const auto field = fields_.optional(from, "definition")) {
-      const Table table = fields_.table(*field);
-      fields_.require_known(table, {"name", "value", "mark"});
-      format_.defined_name = fields_.text(fields_.required(table, "name"));
-      format_.defined_value = fields_.text(fields_.required(table, "value"));
-      if (const auto mark = fields_.optional(table, "mark")) {
-        format_.defined_mark = fields_.text(*mark);
-      }
+      auto words = fields_.texts(*field);
+      words.resize(format_.definition.size());
+      std::ranges::move(words, format_.definition.begin());
     }
     if (const auto field = fields_.optional(from, "endings")) {
       format_.endings = fields_.texts(*field);
@@ -203,8 +201,7 @@ class FormatReader {
   /// A statement is a line, or, in free form, the text up to an empty line.
   void read_template(const Field& field, const std::string& text) {
     const std::string between = format_.by_lines && !format_.is_nested() ? "\n" : "\n\n";
-    const auto rows = format_.is_nested() ? nested_rows(format_.nesting, text, format_.comments)
-                                          : std::vector<NestedRow>{};
+    const auto rows = nested_rows(format_.nesting, text, format_.separators, format_.comments);
     auto row = rows.begin();
     for (std::size_t at = 0, line = 1; at < text.size();) {
       const std::size_t end = std::min(text.find(between, at), text.size() - 1) + 1;
@@ -218,7 +215,7 @@ class FormatReader {
       format_.statements.push_back(statement(field, std::move(one)));
       if (!format_.is_nested()) format_.statements.back().rows = {format_.statements.back().parts};
       for (; row != rows.end() && row->line < line; ++row) {
-        format_.statements.back().rows.push_back(parts_of(field, row->words));
+        format_.statements.back().rows.push_back(parts_of(field, joined(row->words, " ")));
       }
     }
     if (!format_.has("centre")) fields_.fail(field, "has no {centre}: no spheres can be read");

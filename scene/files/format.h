@@ -65,9 +65,9 @@ struct FileFormat {
   bool by_lines = true;               ///< Whether a statement ends with its line, or row.
   Nesting nesting = Nesting::kNone;   ///< How its statements contain others.
   std::string transformation;         ///< If nested, the word before translate and scale.
-  /// If nested, the words before the name and the value of a definition, and what begins a name
-  /// where it stands for its value.
-  std::string defined_name, defined_value, defined_mark;
+  /// If nested: the word before a name and its meaning, that before more of it, and what begins
+  /// the name where it stands for its meaning.
+  std::array<std::string, 3> definition = {};
   /// Words that are read as others.
   std::map<std::string, std::string, std::less<>> synonyms;
   bool is_left_handed = false;  ///< Whether x has the opposite sign.

@@ -22,16 +22,6 @@ struct Word {
   bool begins = false;     ///< In a nested file: whether it is the first of a block.
 };
 
-std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
-  std::vector<std::string_view> words;
-  for (std::size_t at = 0; (at = text.find_first_not_of(separators, at)) != text.npos;) {
-    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
-    words.push_back(text.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
-
 std::vector<Word> words_of(const FileFormat& format, std::string_view text) {
   const std::string separators = format.separators + " \t\v\f";
   std::vector<Word> words;
@@ -42,91 +32,46 @@ std::vector<Word> words_of(const FileFormat& format, std::string_view text) {
     const std::size_t line_end = text.substr(length).starts_with("\r\n") ? 2 : 1;
     text.remove_prefix(std::min(length + line_end, text.size()));
     if (!format.comments.empty()) rest = rest.substr(0, rest.find(format.comments));
-    for (const std::string_view word : split(rest, separators)) words.push_back({word, line});
+    for (const std::string_view word : split_words(rest, separators)) words.push_back({word, line});
   }
   return words;
 }
 
-/// The words of a nested file, with names that it defines replaced by what they stand for.
-class NestedWords {
- public:
-  NestedWords(const FileFormat& format, const LocatedFields& located,
-              const std::vector<NestedRow>& rows)
-      : format_(format), located_(located), rows_(rows) {
-    for (const auto& [word, meaning] : format.synonyms) meanings_[word] = {meaning};
-  }
-  std::vector<Word> words() {
-    for (std::size_t row = 0; row < rows_.size();) {
-      const std::size_t first = row;
-      while (++row < rows_.size() && !rows_[row].begins) {
-      }
-      if (define(first, row)) continue;
-      for (std::size_t k = first; k < row; ++k) {
-        bool begins = k == first;
-        for (const std::string_view word : meaning_of(words_of_row(k), k)) {
-          words_.push_back({word, rows_[k].line, k, std::exchange(begins, false)});
-        }
-      }
-    }
-    return std::move(words_);
-  }
-
- private:
-  using Words = std::vector<std::string_view>;
-  Words words_of_row(std::size_t row) const {
-    return split(rows_[row].words, format_.separators + " \t\v\f\r\n");
-  }
-  static bool begin_with(const Words& words, const Words& with) {
-    return !with.empty() && words.size() >= with.size() &&
-           std::equal(with.begin(), with.end(), words.begin());
-  }
-
-  /// Whether the rows of a block are a definition, which is then known.
-  bool define(std::size_t first, std::size_t end) {
-    const Words before_name = split(format_.defined_name, " ");
-    const Words before_value = split(format_.defined_value, " ");
-    std::string_view name;
-    Words value;
-    for (std::size_t k = first; k < end; ++k) {
-      Words words = words_of_row(k);
-      if (begin_with(words, before_name) && words.size() > before_name.size()) {
-        name = words[before_name.size()];
-      } else if (begin_with(words, before_value)) {
-        words.erase(words.begin(), words.begin() + std::ssize(before_value));
-        std::ranges::copy(meaning_of(words, k), std::back_inserter(value));
-      }
-    }
-    if (!name.empty()) meanings_[format_.defined_mark + std::string(name)] = std::move(value);
-    return !name.empty();
-  }
-
-  Words meaning_of(const Words& words, std::size_t row) {
-    constexpr std::size_t kMostAdded = 1'000'000;
-    Words all;
-    for (const std::string_view word : words) {
-      const auto known = meanings_.find(word);
-      if (known == meanings_.end()) {
-        all.push_back(word);
+/// Replaces the names that definitions give by what they stand for, and empties the definitions.
+void resolve(const FileFormat& format, const LocatedFields& located, std::vector<NestedRow>& rows) {
+  std::map<std::string, std::vector<std::string>, std::less<>> meanings;
+  for (const auto& [word, meaning] : format.synonyms) meanings[word] = {meaning};
+  const auto [definition, value, mark] = format.definition;
+  std::string name;  // that is being defined
+  std::size_t added = 0;
+  constexpr std::size_t kMostAdded = 1'000'000;
+  for (NestedRow& row : rows) {
+    if (row.begins) name.clear();
+    const bool is_first = row.begins && row.words.size() > 1 && row.words[0] == definition;
+    const bool is_value = is_first || (!name.empty() && row.words[0] == value);
+    std::vector<std::string> words;
+    for (std::size_t k = is_first ? 2 : is_value ? 1 : 0; k < row.words.size(); ++k) {
+      const auto known = meanings.find(row.words[k]);
+      if (known == meanings.end()) {
+        words.push_back(std::move(row.words[k]));
         continue;
       }
-      added_ += known->second.size();
-      if (added_ > kMostAdded) {
-        located_.fail(rows_[row].line, word,
-                      "stands for too many words: definitions may add " +
-                          std::to_string(kMostAdded) + " to a file");
+      added += known->second.size();
+      if (added > kMostAdded) {
+        located.fail(row.line, row.words[k],
+                     "stands for too many words: definitions may add " +
+                         std::to_string(kMostAdded) + " to a file");
       }
-      std::ranges::copy(known->second, std::back_inserter(all));
+      words.insert(words.end(), known->second.begin(), known->second.end());
     }
-    return all;
+    if (is_first) {
+      name = mark + row.words[1];
+      meanings[name].clear();
+    }
+    if (is_value) std::ranges::move(words, std::back_inserter(meanings[name]));
+    row.words = name.empty() ? std::move(words) : std::vector<std::string>{};
   }
-
-  const FileFormat& format_;
-  const LocatedFields& located_;
-  const std::vector<NestedRow>& rows_;
-  std::map<std::string, Words, std::less<>> meanings_;
-  std::size_t added_ = 0;
-  std::vector<Word> words_;
-};
+}
 
 /// The numbers of a slot, the line on which they are, and the word where their statement begins.
 struct Given {
@@ -160,10 +105,15 @@ class FormattedReader {
   FormattedReader(const FileFormat& format, std::string_view text, std::string_view file)
       : format_(format),
         located_(file),
-        rows_(format.is_nested() ? nested_rows(format.nesting, text, format.comments)
-                                 : std::vector<NestedRow>{}),
-        words_(format.is_nested() ? NestedWords(format, located_, rows_).words()
-                                  : words_of(format, text)) {
+        rows_(nested_rows(format.nesting, text, format.separators, format.comments)) {
+    if (!format.is_nested()) words_ = words_of(format, text);
+    resolve(format, located_, rows_);
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+      for (const std::string& word : rows_[row].words) {
+        const bool is_first = &word == &rows_[row].words.front();
+        words_.push_back({word, rows_[row].line, row, is_first && rows_[row].begins});
+      }
+    }
     for (const auto* fixed : {&format.defaults, &format.fixed}) {
       for (const auto& [slot, numbers] : *fixed) {
         std::ranges::copy(numbers, camera_[slot].numbers.begin());
@@ -257,10 +207,8 @@ class FormattedReader {
     Block its{*found, {}, {}, {}};
     for (std::size_t at = next_line(first); at < end; at = next_line(at)) read_row(its, at);
     if (!its.statement.is_of_sphere) return end;
-    for (const char* const slot : {"centre", "radius", "diameter", "scale"}) {
-      if (its.slots.find(slot) == nullptr && camera_.contains(slot)) {
-        its.slots.add(slot) = camera_.find(slot)->second;
-      }
+    for (const auto& [slot, numbers] : format_.defaults) {
+      if (its.slots.find(slot) == nullptr) its.slots.add(slot) = camera_.find(slot)->second;
     }
     given_ = its.slots;
     const Given* const centre = given_.find("centre");
@@ -283,9 +231,7 @@ class FormattedReader {
   void read_row(Block& block, std::size_t at) {
     const std::size_t end = next_line(at);
     if (block.statement.is_of_sphere && words_[at].text == format_.transformation) {
-      std::copy(words_.begin() + std::ssize(std::span(words_).first(at + 1)),
-                words_.begin() + std::ssize(std::span(words_).first(end)),
-                std::back_inserter(block.transformations));
+      while (++at < end) block.transformations.push_back(words_[at]);
       return;
     }
     for (const std::vector<FormatPart>& row : block.statement.rows) {
@@ -295,8 +241,7 @@ class FormattedReader {
       if (std::ranges::none_of(row, is_needed)) continue;
       const auto ends = matched(row, at);
       if (!ends) continue;
-      if (ends->all < end)
-        warn(at, "words after the first " + std::to_string(ends->all - at) + " are ignored");
+      look_after(block.statement, at, *ends);
       if (!block.statement.is_of_sphere) return take(block.statement, at);
       for (const auto& [slot, its] : given_.all()) block.slots.add(slot) = its;
       return;
@@ -671,13 +616,8 @@ class FormattedReader {
 
   /// The side that a word in the place of {fov_axis} means.
   AngleSlot::Side side_of(const Word& word) const {
-    constexpr std::array<std::pair<std::string_view, AngleSlot::Side>, 4> kSides = {
-        {{"x", AngleSlot::Side::kHorizontal},
-         {"y", AngleSlot::Side::kVertical},
-         {"larger", AngleSlot::Side::kLarger},
-         {"smaller", AngleSlot::Side::kSmaller}}};
-    for (const auto& [name, side] : kSides) {
-      if (word.text == name) return side;
+    for (const char* const name : {"fov", "fov_"}) {
+      if (const auto angle = angle_slot(name + std::string(word.text))) return angle->side;
     }
     located_.fail(word.line, "the side of an angle of view", word.text,
                   "must be x, y, larger or smaller");
@@ -729,7 +669,7 @@ class FormattedReader {
 
   const FileFormat& format_;
   LocatedFields located_;
-  const std::vector<NestedRow> rows_;
+  std::vector<NestedRow> rows_;
   std::vector<Word> words_;
   const Word* axis_ = nullptr;  ///< The word in the place of {fov_axis}.
   GivenSlots given_;            ///< Of the statement that is read.

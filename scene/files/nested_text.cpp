@@ -9,178 +9,163 @@
 namespace raycheck::scene {
 namespace {
 
-/// Deeper names, and the rests of longer ones, have no meaning.
-constexpr std::size_t kMostNames = 3, kLongestName = 60;
+constexpr std::string_view kWhite = " \t\v\f\r\n";
 
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
-class Rows {
+class RowList {
  public:
-  void add(std::string_view name, std::string_view value, std::size_t line) {
-    NestedRow& row = rows_.emplace_back();
-    for (std::size_t k = 0; k < std::min(names_.size(), kMostNames); ++k) {
-      row.words += names_[k].second + " ";
+  explicit RowList(std::string_view separators)
+      : separators_(std::string(separators).append(kWhite)) {}
+
+  /// Adds a name and its value, if it has one or begins a block. What comes later in columns behind
+  /// this one is in the name, except in that of a block.
+  void add(std::size_t column, std::string_view name, std::string_view value, std::size_t line,
+           bool begins) {
+    leave(column);
+    auto words = split_words(value, separators_);
+    if (begins || !words.empty()) {
+      NestedRow& row = rows_.emplace_back();
+      constexpr std::size_t kMost = 3;  // deeper names have no meaning
+      for (std::size_t k = 0; k < std::min(names_.size(), kMost); ++k) {
+        row.words.push_back(names_[k].second);
+      }
+      if (!name.empty()) row.words.emplace_back(name);
+      row.words.insert(row.words.end(), words.begin(), words.end());
+      row.line = line;
+      row.begins = begins;
     }
-    row.words.append(name).append(" ").append(value);
-    row.line = line;
-    row.begins = std::exchange(begins_, false);
+    constexpr std::size_t kLongest = 60;
+    if (!name.empty() && column > 1) names_.emplace_back(column, name.substr(0, kLongest));
   }
-  void begin() { begins_ = true; }
-  bool is_outermost() const { return names_.empty(); }
-  /// What follows is contained in this name, until a name with this column, or one before it.
-  void enter(std::size_t column, std::string_view name) {
-    names_.emplace_back(column, std::string(name.substr(0, kLongestName)));
-  }
-  void leave(std::size_t column) {
+  /// Leaves the names in this column and behind it; whether none is left.
+  bool leave(std::size_t column) {
     while (!names_.empty() && names_.back().first >= column) names_.pop_back();
+    return names_.empty();
   }
-  NestedRow& last() { return rows_.back(); }
   std::vector<NestedRow> take() { return std::move(rows_); }
 
  private:
+  std::string separators_;
   std::vector<NestedRow> rows_;
   std::vector<std::pair<std::size_t, std::string>> names_;
-  bool begins_ = false;
 };
 
-/// A line without its comment.
-std::string_view uncommented(std::string_view line, std::string_view mark) {
-  for (std::size_t at = 0; !mark.empty() && (at = line.find(mark, at)) != line.npos; ++at) {
-    if (at == 0 || kBlanks.find(line[at - 1]) != kBlanks.npos) return line.substr(0, at);
-  }
-  return line;
+bool is_white_at(std::string_view text, std::size_t at) {
+  return at >= text.size() || kWhite.find(text[at]) != kWhite.npos;
 }
 
-std::vector<NestedRow> indented(std::string_view text, std::string_view comments) {
-  Rows rows;
-  std::ptrdiff_t open = 0;  // brackets, over lines
+void add_indented(RowList& rows, std::string_view text, std::string_view comments) {
   bool is_item = false;
-  for (std::size_t number = 1; !text.empty(); ++number) {
+  for (std::size_t line = 1, lines = 1; !text.empty(); line += lines, lines = 1) {
     poll();
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = uncommented(text.substr(0, end), comments);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    const auto count_open = [&](std::string_view value) {
-      open += std::ranges::count(value, '[') - std::ranges::count(value, ']');
-    };
-    if (open > 0) {
-      rows.last().words.append(" ").append(trimmed(line));
-      count_open(line);
-      continue;
+    std::string one;
+    for (std::ptrdiff_t open = 1; !text.empty() && open > 0; lines += open > 0 ? 1U : 0U) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      std::size_t mark = comments.empty() ? end : text.substr(0, end).find(comments);
+      while (mark < end && mark > 0 && !is_white_at(text, mark - 1)) {
+        mark = text.substr(0, end).find(comments, mark + 1);
+      }
+      one.append(text.substr(0, std::min(mark, end))).append(" ");
+      text.remove_prefix(std::min(end + 1, text.size()));
+      open = std::ranges::count(one, '[') - std::ranges::count(one, ']');
     }
-    std::size_t column = line.find_first_not_of(kBlanks);
-    if (column == line.npos || line.starts_with("---")) continue;
-    while (column < line.size() && line[column] == '-' &&
-           (column + 1 == line.size() || kBlanks.find(line[column + 1]) != kBlanks.npos)) {
+    std::size_t column = std::min(one.find_first_not_of(kWhite), one.size());
+    if (one.starts_with("---")) continue;
+    while (column < one.size() && one[column] == '-' && is_white_at(one, column + 1)) {
       is_item = true;
-      column = std::min(line.find_first_not_of(kBlanks, column + 1), line.size());
+      column = std::min(one.find_first_not_of(kWhite, column + 1), one.size());
     }
-    const std::string_view rest = trimmed(line.substr(column));
-    if (rest.empty()) continue;
-    rows.leave(column);
-    const bool is_block = rows.is_outermost() && (is_item || column == 0);
-    is_item = false;
-    if (is_block) rows.begin();
-    std::size_t colon = std::min(rest.find(": "), rest.size());
-    if (rest.ends_with(':')) colon = std::min(colon, rest.size() - 1);
-    if (std::string_view("[{\"'").find(rest.front()) != std::string_view::npos) colon = rest.size();
-    const std::string_view name = rest.substr(0, colon);
-    const std::string_view value = trimmed(rest.substr(std::min(colon + 1, rest.size())));
-    if (is_block || colon == rest.size() || !value.empty()) rows.add(name, value, number);
-    count_open(rest);
-    if (colon < rest.size() && value.empty()) rows.enter(column, name);
+    if (column == one.size()) continue;
+    const std::string_view rest = std::string_view(one).substr(column);
+    std::size_t colon = rest.find(':');
+    while (colon < rest.size() && !is_white_at(rest, colon + 1)) colon = rest.find(':', colon + 1);
+    if (rest.front() == '[' || rest.front() == '{') colon = rest.npos;
+    const bool begins = (std::exchange(is_item, false) || column == 0) && rows.leave(column);
+    const bool has_name = colon != rest.npos;
+    rows.add(column, has_name ? rest.substr(0, colon) : "",
+             has_name ? rest.substr(colon + 1) : rest, line, begins);
   }
-  return rows.take();
 }
 
-/// Reads the attributes of a tag, up to its end; true if the element ends there.
-bool read_attributes(std::string_view& text, std::map<std::string, std::string_view>& all) {
-  while (!text.empty()) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    if (text.starts_with("/>")) return true;
-    if (text.empty() || text.front() == '>') return false;
+/// Takes the attributes of a tag from a text, up to the tag's end.
+std::map<std::string, std::string_view> take_attributes(std::string_view& text) {
+  std::map<std::string, std::string_view> all;
+  while (text.remove_prefix(std::min(text.find_first_not_of(kWhite), text.size())),
+         !text.empty() && text.front() != '>' && !text.starts_with("/>")) {
     const std::size_t end = std::min(text.find_first_of("= \t\r\n\"'/>", 1), text.size());
-    const std::string_view name = text.substr(0, end);
-    text.remove_prefix(end);
-    const std::size_t quote = text.find_first_not_of("= \t\r\n");
-    if (quote == text.npos || (text[quote] != '"' && text[quote] != '\'')) continue;
-    const std::size_t close = std::min(text.find(text[quote], quote + 1), text.size());
-    all.emplace(name, text.substr(quote + 1, close - quote - 1));
-    text.remove_prefix(std::min(close + 1, text.size()));
+    const std::size_t quote = std::min(text.find_first_not_of("= \t\r\n", end), text.size());
+    const bool has_value = quote < text.size() && (text[quote] == '"' || text[quote] == '\'');
+    const std::size_t close = has_value ? text.find(text[quote], quote + 1) : end;
+    if (has_value && close != text.npos) {
+      all.emplace(text.substr(0, end), text.substr(quote + 1, close - quote - 1));
+    }
+    text.remove_prefix(close == text.npos ? text.size() : close + (has_value ? 1 : 0));
   }
-  return true;
+  return all;
 }
 
-void add_element(Rows& rows, std::size_t depth, std::string_view tag, std::size_t line,
+void add_element(RowList& rows, std::size_t depth, std::string_view tag, std::size_t line,
                  std::map<std::string, std::string_view> attributes) {
-  if (depth == 0) return;  // the root
-  const auto take = [&](const char* name) {
+  const auto take = [&](const char* name, std::string_view otherwise) {
     const auto node = attributes.extract(name);
-    return node.empty() ? std::string_view{} : node.mapped();
+    return std::string(node.empty() ? otherwise : node.mapped()) + " ";
   };
-  std::string_view name = depth == 1 ? "" : take("name");
-  if (name.empty()) name = tag;
-  if (depth == 1) rows.begin();
-  std::string own(take("value"));
-  own.append(own.empty() ? "" : " ").append(take("type"));
-  if (depth == 1 || !own.empty()) rows.add(name, own, line);
-  std::string point;
-  bool has_point = false;
-  for (const char* const coordinate : {"x", "y", "z"}) {
-    const std::string_view value = take(coordinate);
-    has_point = has_point || !value.empty();
-    point.append(value.empty() ? "0" : value).append(" ");
+  const std::string_view name =
+      depth > 1 && attributes.contains("name") ? attributes.extract("name").mapped() : tag;
+  const std::string own = take("type", "") + take("name", "") + take("value", "");
+  rows.add(depth, name, own, line, depth == 1);
+  if (attributes.contains("x") || attributes.contains("y") || attributes.contains("z")) {
+    rows.add(depth, name, take("x", "0") + take("y", "0") + take("z", "0"), line, false);
   }
-  if (has_point) rows.add(name, point, line);
   for (const auto& [attribute, value] : attributes) {
-    rows.add(name, attribute + " " + std::string(value), line);
+    rows.add(depth, name, attribute + " " + std::string(value), line, false);
   }
-  if (depth > 1) rows.enter(depth, name);
 }
 
-std::vector<NestedRow> tagged(std::string_view text) {
-  Rows rows;
+void add_tagged(RowList& rows, std::string_view text) {
   std::size_t depth = 0, line = 1;
   const auto skip = [&](std::size_t count) {
     count = std::min(count, text.size());
     line += static_cast<std::size_t>(std::ranges::count(text.substr(0, count), '\n'));
     text.remove_prefix(count);
   };
-  const auto skip_past = [&](std::string_view mark) {
-    const std::size_t at = text.find(mark);
-    skip(at == text.npos ? at : at + mark.size());
-  };
   while (skip(text.find('<')), !text.empty()) {
     poll();
-    if (text.starts_with("<!--")) {
-      skip_past("-->");
-    } else if (text.starts_with("<?") || text.starts_with("<!")) {
-      skip_past(">");
-    } else if (text.starts_with("</")) {
-      skip_past(">");
-      depth -= depth > 0 ? 1 : 0;
-    } else {
-      const std::size_t end = std::min(text.find_first_of("/> \t\r\n", 1), text.size());
-      std::string_view rest = text.substr(end);
-      std::map<std::string, std::string_view> attributes;
-      const bool is_whole = read_attributes(rest, attributes);
-      rows.leave(depth);
-      add_element(rows, depth, text.substr(1, end - 1), line, std::move(attributes));
-      depth += is_whole ? 0 : 1;
-      skip(text.size() - rest.size());
+    const bool is_comment = text.starts_with("<!--");
+    const std::string_view after = text.substr(1, 1);
+    if (after == "!" || after == "?" || after == "/") {
+      if (after == "/" && depth > 0) --depth;
+      skip(text.find(is_comment ? "-->" : ">"));
+      continue;
     }
+    const std::size_t end = std::min(text.find_first_of("/> \t\r\n", 1), text.size());
+    std::string_view rest = text.substr(end);
+    auto attributes = take_attributes(rest);
+    if (depth > 0) {
+      add_element(rows, depth, text.substr(1, end - 1), line, std::move(attributes));
+    }
+    if (rest.starts_with('>')) ++depth;
+    skip(text.size() - rest.size());
   }
-  return rows.take();
 }
 
 }  // namespace
 
 std::vector<NestedRow> nested_rows(Nesting nesting, std::string_view text,
-                                   std::string_view comments) {
-  return nesting == Nesting::kTags ? tagged(text) : indented(text, comments);
+                                   std::string_view separators, std::string_view comments) {
+  RowList rows(separators);
+  if (nesting == Nesting::kTags) add_tagged(rows, text);
+  if (nesting == Nesting::kIndentation) add_indented(rows, text, comments);
+  return rows.take();
+}
+
+std::vector<std::string_view> split_words(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; (at = text.find_first_not_of(separators, at)) != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+    words.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return words;
 }
 
 }  // namespace raycheck::scene

@@ -1,7 +1,5 @@
 #pragma once
 
-// Texts whose statements contain each other, by indentation (YAML) or tags (XML), as rows.
-
 #include <array>
 #include <cstddef>
 #include <string>
@@ -10,22 +8,23 @@
 
 namespace raycheck::scene {
 
-/// How statements contain others.
+/// How the statements of a text contain others: not, by indentation (YAML) or by tags (XML).
 enum class Nesting { kNone, kIndentation, kTags };
 inline constexpr std::array<std::string_view, 3> kNestingNames = {"none", "indentation", "tags"};
-inline constexpr std::string_view kBlanks = " \t\v\f\r\n";
 
-/// A value after the names of what contains it, except its block: "film width 640". Of tags, an
-/// element with a name goes by it; the value and the type of an element follow its name, its x, y
-/// and z are one value, and other attributes are values in it.
+/// The words of a value, after the names of what contains it in its block: "film width 640".
 struct NestedRow {
-  std::string words;
+  std::vector<std::string> words;
   std::size_t line = 1;
   bool begins = false;  ///< Whether it is the first of a block: an outermost item or element.
 };
 
-/// The rows of a text. Of a text with mistakes, those that can be told.
+/// The rows of a text, as far as it can be told. In a block of tags an element with a name goes by
+/// it, its value and its x, y and z follow the name, and so does each other attribute.
 std::vector<NestedRow> nested_rows(Nesting nesting, std::string_view text,
-                                   std::string_view comments);
+                                   std::string_view separators, std::string_view comments);
+
+/// The words of a text.
+std::vector<std::string_view> split_words(std::string_view text, std::string_view separators);
 
 }  // namespace raycheck::scene
