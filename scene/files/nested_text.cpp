@@ -59,14 +59,16 @@ void add_indented(RowList& rows, std::string_view text, std::string_view comment
     poll();
     std::string one;
     for (std::ptrdiff_t open = 1; !text.empty() && open > 0; lines += open > 0 ? 1U : 0U) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      std::size_t mark = comments.empty() ? end : text.substr(0, end).find(comments);
-      while (mark < end && mark > 0 && !is_white_at(text, mark - 1)) {
-        mark = text.substr(0, end).find(comments, mark + 1);
+      const std::string_view whole = text.substr(0, std::min(text.find('\n'), text.size()));
+      std::size_t mark = comments.empty() ? whole.npos : whole.find(comments);
+      while (mark < whole.size() && mark > 0 && !is_white_at(whole, mark - 1)) {
+        mark = whole.find(comments, mark + 1);
       }
-      one.append(text.substr(0, std::min(mark, end))).append(" ");
-      text.remove_prefix(std::min(end + 1, text.size()));
-      open = std::ranges::count(one, '[') - std::ranges::count(one, ']');
+      const std::string_view part = whole.substr(0, mark);
+      open += std::ranges::count(part, '[') - std::ranges::count(part, ']');
+      if (one.empty()) --open;
+      one.append(part).append(" ");
+      text.remove_prefix(std::min(whole.size() + 1, text.size()));
     }
     std::size_t column = std::min(one.find_first_not_of(kWhite), one.size());
     if (one.starts_with("---")) continue;
