@@ -60,10 +60,11 @@ class FormatReader {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
     fields_.require_known(
-        from, {"title",   "source",      "endings",   "comments",       "separators", "joint",
-               "lines",   "left_handed", "exponents", "digits",         "template",   "ignored",
-               "refused", "conventions", "assumed",   "fixed",          "default",    "variant",
-               "forms",   "preset",      "nesting",   "transformation", "definition", "synonyms"});
+        from, {"title",    "source",         "endings",     "comments",    "separators",
+               "joint",    "lines",          "left_handed", "exponents",   "digits",
+               "template", "ignored",        "refused",     "conventions", "assumed",
+               "fixed",    "default",        "variant",     "forms",       "preset",
+               "nesting",  "transformation", "definition",  "synonyms",    "up_widens"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
@@ -84,6 +85,9 @@ class FormatReader {
     if (const auto field = fields_.optional(from, "lines")) format_.by_lines = fields_.flag(*field);
     if (const auto field = fields_.optional(from, "left_handed")) {
       format_.is_left_handed = fields_.flag(*field);
+    }
+    if (const auto field = fields_.optional(from, "up_widens")) {
+      format_.up_widens = fields_.flag(*field);
     }
     if (const auto field = fields_.optional(from, "digits")) {
       const std::int64_t digits = fields_.integer(*field, "a whole number of digits");

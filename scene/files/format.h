@@ -71,8 +71,11 @@ struct FileFormat {
   /// Words that are read as others.
   std::map<std::string, std::string, std::less<>> synonyms;
   bool is_left_handed = false;  ///< Whether x has the opposite sign.
-  bool has_exponents = true;    ///< Whether numbers may be written with an exponent.
-  int digits = 0;               ///< To which numbers are rounded; 0: none is rounded.
+  /// Whether its programs leave U and V as long as the sine of the angle between A - E and the up
+  /// vector, which widens the window by its inverse.
+  bool up_widens = false;
+  bool has_exponents = true;  ///< Whether numbers may be written with an exponent.
+  int digits = 0;             ///< To which numbers are rounded; 0: none is rounded.
   std::vector<FormatStatement> statements;
   /// Keywords that are left out, and what they are called in reports; keywords of what raycheck
   /// cannot read, and what that is.
@@ -152,6 +155,9 @@ inline std::string_view without_mark(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
+
+/// The sine of the angle between two vectors. Error: a few roundings.
+double sine_between(const Vector3& a, const Vector3& b);
 
 /// Whether a slot is a number of pixels, and whether a number can be one: doubles have it exactly.
 bool is_pixels(std::string_view slot);

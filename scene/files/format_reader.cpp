@@ -605,7 +605,8 @@ class FormattedReader {
                       shortest(required({slot}).front()),
                       "must be an angle of view above 0 and below 180 degrees");
       }
-      const double half = std::tan(half_angle) * std::abs(camera.near);
+      double half = std::tan(half_angle) * std::abs(camera.near);
+      if (format_.up_widens) half /= sine_between(camera.look_at - camera.eye, camera.up);
       const bool is_vertical = angle.is_vertical(camera);
       camera.top = is_vertical ? half : half / ratio;
       camera.right = is_vertical ? half * ratio : half;

@@ -95,6 +95,26 @@ TEST(ReadNested, TakesTransformationsInTheirOrderFromIndentedText) {
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{});
 }
 
+TEST(ReadNested, WidensWindowsBySlantedUpVectors) {
+  // The book's example of a view transformation: from (1, 3, 2) to (4, -2, 8), up (1, 1, 0). Its
+  // first row is (-0.50709, 0.50709, 0.67612), whose length is the sine.
+  std::string text = kYaml;
+  for (const auto& [from, to] : {std::pair("from: [ 0, 0,\n    -4 ]", "from: [ 1, 3, 2 ]"),
+                                 {"to: [0, 0, 0]", "to: [4, -2, 8]"},
+                                 {"up: [0, 1, 0]", "up: [1, 1, 0]"}}) {
+    text = replaced(text, from, to);
+  }
+  const LoadedScene loaded = read(text, "f.yml");
+  EXPECT_NEAR(loaded.scene.camera->right,
+              std::tan(1.25 / 2) / std::hypot(0.50709, 0.50709, 0.67612), 1e-5);
+  const FileFormat& format = *format_named(loaded.format);
+  const LoadedScene again = read(write_formatted(format, loaded.scene), "f.yml");
+  EXPECT_NEAR(again.scene.camera->right, loaded.scene.camera->right, 1e-15);
+  EXPECT_NEAR(
+      again.scene.camera->up.x * -3 - again.scene.camera->up.y * 5 + again.scene.camera->up.z * 6,
+      0, 1e-15);
+}
+
 TEST(ReadNested, TakesNamesValuesAndTypesOfTags) {
   const LoadedScene loaded = read(kXml, "f.xml");
   EXPECT_EQ(loaded.format, "mitsuba");
