@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/files/format.h"
+#include "scene/files/format_words.h"
 #include "scene/files/located_fields.h"
 #include "scene/interruption.h"
 #include "scene/number.h"
@@ -14,64 +15,6 @@
 
 namespace raycheck::scene {
 namespace {
-
-struct Word {
-  std::string_view text;
-  std::size_t line;
-  std::size_t row = line;  ///< In a nested file: from 0.
-  bool begins = false;     ///< In a nested file: whether it is the first of a block.
-};
-
-std::vector<Word> words_of(const FileFormat& format, std::string_view text) {
-  const std::string separators = format.separators + " \t\v\f";
-  std::vector<Word> words;
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    poll();
-    const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
-    std::string_view rest = text.substr(0, length);
-    const std::size_t line_end = text.substr(length).starts_with("\r\n") ? 2 : 1;
-    text.remove_prefix(std::min(length + line_end, text.size()));
-    if (!format.comments.empty()) rest = rest.substr(0, rest.find(format.comments));
-    for (const std::string_view word : split_words(rest, separators)) words.push_back({word, line});
-  }
-  return words;
-}
-
-/// Replaces the names that definitions give by what they stand for, and empties the definitions.
-void resolve(const FileFormat& format, const LocatedFields& located, std::vector<NestedRow>& rows) {
-  std::map<std::string, std::vector<std::string>, std::less<>> meanings;
-  for (const auto& [word, meaning] : format.synonyms) meanings[word] = {meaning};
-  const auto [definition, value, mark] = format.definition;
-  std::string name;  // that is being defined
-  std::size_t added = 0;
-  constexpr std::size_t kMostAdded = 1'000'000;
-  for (NestedRow& row : rows) {
-    if (row.begins) name.clear();
-    const bool is_first = row.begins && row.words.size() > 1 && row.words[0] == definition;
-    const bool is_value = is_first || (!name.empty() && row.words[0] == value);
-    std::vector<std::string> words;
-    for (std::size_t k = is_first ? 2 : is_value ? 1 : 0; k < row.words.size(); ++k) {
-      const auto known = meanings.find(row.words[k]);
-      if (known == meanings.end()) {
-        words.push_back(std::move(row.words[k]));
-        continue;
-      }
-      added += known->second.size();
-      if (added > kMostAdded) {
-        located.fail(row.line, row.words[k],
-                     "stands for too many words: definitions may add " +
-                         std::to_string(kMostAdded) + " to a file");
-      }
-      words.insert(words.end(), known->second.begin(), known->second.end());
-    }
-    if (is_first) {
-      name = mark + row.words[1];
-      meanings[name].clear();
-    }
-    if (is_value) std::ranges::move(words, std::back_inserter(meanings[name]));
-    row.words = name.empty() ? std::move(words) : std::vector<std::string>{};
-  }
-}
 
 /// The numbers of a slot, the line on which they are, and the word where their statement begins.
 struct Given {
@@ -105,15 +48,8 @@ class FormattedReader {
   FormattedReader(const FileFormat& format, std::string_view text, std::string_view file)
       : format_(format),
         located_(file),
-        rows_(nested_rows(format.nesting, text, format.separators, format.comments)) {
-    if (!format.is_nested()) words_ = words_of(format, text);
-    resolve(format, located_, rows_);
-    for (std::size_t row = 0; row < rows_.size(); ++row) {
-      for (const std::string& word : rows_[row].words) {
-        const bool is_first = &word == &rows_[row].words.front();
-        words_.push_back({word, rows_[row].line, row, is_first && rows_[row].begins});
-      }
-    }
+        rows_(defined_rows(format, text, file)),
+        words_(format.is_nested() ? words_of(rows_) : words_of(format, text)) {
     for (const auto* fixed : {&format.defaults, &format.fixed}) {
       for (const auto& [slot, numbers] : *fixed) {
         std::ranges::copy(numbers, camera_[slot].numbers.begin());
@@ -670,7 +606,7 @@ class FormattedReader {
 
   const FileFormat& format_;
   LocatedFields located_;
-  std::vector<NestedRow> rows_;
+  const std::vector<NestedRow> rows_;
   std::vector<Word> words_;
   const Word* axis_ = nullptr;  ///< The word in the place of {fov_axis}.
   GivenSlots given_;            ///< Of the statement that is read.
