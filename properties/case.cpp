@@ -127,7 +127,9 @@ bool fit_window(Camera& camera, InputFormat format) {
   double right = std::max(std::abs(camera.left), std::abs(camera.right));
   double top = std::max(std::abs(camera.bottom), std::abs(camera.top));
   const auto width = static_cast<double>(camera.width), height = static_cast<double>(camera.height);
-  if (format.windows == Windows::kSquarePixels && right * height != top * width) {
+  // A window that follows from an angle of view has square pixels up to roundings.
+  const bool is_square = std::abs(right * height - top * width) <= 0x1p-50 * right * height;
+  if (format.windows == Windows::kSquarePixels && !is_square) {
     const std::int64_t pixels = std::max(camera.width, camera.height);
     const double size = exact_pixel(top / height * 2, pixels, format.precision);
     right = size * width / 2;

@@ -10,6 +10,7 @@
 #include "scene/files/format_texts.h"
 #include "scene/files/toml_fields.h"
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::scene {
 namespace {
@@ -36,7 +37,8 @@ constexpr Slot kSlots[] = {
     {"index", 0, Slot::Of::kSphere},     {"_", 0, Slot::Of::kNothing},
     {"*", 0, Slot::Of::kNothing},        {"count", 0, Slot::Of::kNothing},
     {"image", 0, Slot::Of::kNothing},    {"behind", 0, Slot::Of::kNothing},
-    {"at_eye", 0, Slot::Of::kNothing},   {"extra", 0, Slot::Of::kNothing}};
+    {"at_eye", 0, Slot::Of::kNothing},   {"extra", 0, Slot::Of::kNothing},
+    {kAxis, 0, Slot::Of::kNothing}};
 
 /// Empty: there is no slot of this name.
 std::optional<Slot> slot_named(std::string_view name) {
@@ -57,10 +59,12 @@ class FormatReader {
   FileFormat read(std::string_view text) {
     const toml::table root = parse_toml(text, file_);
     const Table from{root, "format", "", 1};
-    fields_.require_known(from, {"title",    "source",  "endings",     "comments",    "separators",
-                                 "joint",    "lines",   "left_handed", "exponents",   "digits",
-                                 "template", "ignored", "refused",     "conventions", "assumed",
-                                 "fixed",    "default", "variant",     "forms",       "preset"});
+    fields_.require_known(
+        from, {"title",    "source",         "endings",     "comments",    "separators",
+               "joint",    "lines",          "left_handed", "exponents",   "digits",
+               "template", "ignored",        "refused",     "conventions", "assumed",
+               "fixed",    "default",        "variant",     "forms",       "preset",
+               "nesting",  "transformation", "definition",  "synonyms",    "up_widens"});
     format_.title = fields_.text(fields_.required(from, "title"));
     const auto text_of = [&](const char* key, std::string& value) {
       if (const auto field = fields_.optional(from, key)) value = fields_.text(*field);
@@ -68,12 +72,22 @@ class FormatReader {
     text_of("comments", format_.comments);
     text_of("separators", format_.separators);
     text_of("joint", format_.joint);
+    text_of("transformation", format_.transformation);
+    fields_.choose(from, "nesting", kNestingNames, format_.nesting);
+    if (const auto field = fields_.optional(from, "definition")) {
+      auto words = fields_.texts(*field);
+      words.resize(format_.definition.size());
+      std::ranges::move(words, format_.definition.begin());
+    }
     if (const auto field = fields_.optional(from, "endings")) {
       format_.endings = fields_.texts(*field);
     }
     if (const auto field = fields_.optional(from, "lines")) format_.by_lines = fields_.flag(*field);
     if (const auto field = fields_.optional(from, "left_handed")) {
       format_.is_left_handed = fields_.flag(*field);
+    }
+    if (const auto field = fields_.optional(from, "up_widens")) {
+      format_.up_widens = fields_.flag(*field);
     }
     if (const auto field = fields_.optional(from, "digits")) {
       const std::int64_t digits = fields_.integer(*field, "a whole number of digits");
@@ -84,7 +98,7 @@ class FormatReader {
     }
     for (const auto& [key, words] :
          {std::pair("ignored", &format_.ignored), std::pair("refused", &format_.refused),
-          std::pair("preset", &format_.presets)}) {
+          std::pair("preset", &format_.presets), std::pair("synonyms", &format_.synonyms)}) {
       const auto field = fields_.optional(from, key);
       if (!field) continue;
       const Table table = fields_.table(*field);
@@ -190,16 +204,23 @@ class FormatReader {
 
   /// A statement is a line, or, in free form, the text up to an empty line.
   void read_template(const Field& field, const std::string& text) {
-    const std::string between = format_.by_lines ? "\n" : "\n\n";
-    for (std::size_t at = 0; at < text.size();) {
+    const std::string between = format_.by_lines && !format_.is_nested() ? "\n" : "\n\n";
+    const auto rows = nested_rows(format_.nesting, text, format_.separators, format_.comments);
+    auto row = rows.begin();
+    for (std::size_t at = 0, line = 1; at < text.size();) {
       const std::size_t end = std::min(text.find(between, at), text.size() - 1) + 1;
       std::string one = text.substr(at, end - at);
       at = end;
+      line += static_cast<std::size_t>(std::ranges::count(one, '\n'));
       if (one.find_first_not_of(kBlanks) == std::string::npos) {
         if (!format_.statements.empty()) format_.statements.back().text += one;
         continue;
       }
       format_.statements.push_back(statement(field, std::move(one)));
+      if (!format_.is_nested()) format_.statements.back().rows = {format_.statements.back().parts};
+      for (; row != rows.end() && row->line < line; ++row) {
+        format_.statements.back().rows.push_back(parts_of(field, joined(row->words, " ")));
+      }
     }
     if (!format_.has("centre")) fields_.fail(field, "has no {centre}: no spheres can be read");
     const auto is_angle = [](const auto& one) { return angle_slot(one.first).has_value(); };
@@ -214,6 +235,17 @@ class FormatReader {
 
   FormatStatement statement(const Field& field, std::string text) const {
     FormatStatement result;
+    result.parts = parts_of(field, text);
+    result.is_of_sphere = std::ranges::any_of(result.parts, [](const FormatPart& part) {
+      return part.word.empty() && is_of(part.slot, Slot::Of::kSphere);
+    });
+    result.text = std::move(text);
+    require_readable(field, result);
+    return result;
+  }
+
+  std::vector<FormatPart> parts_of(const Field& field, const std::string& text) const {
+    std::vector<FormatPart> parts;
     const std::string separators = format_.separators + std::string(kBlanks);
     const std::string ends = separators + "{";
     for (std::size_t at = 0; at < text.size();) {
@@ -229,20 +261,17 @@ class FormatReader {
                                         is_of(part.slot, Slot::Of::kNothing))) {
           fields_.fail(field, "{" + slot + "} is not a slot");
         }
-        result.is_of_sphere = result.is_of_sphere || is_of(part.slot, Slot::Of::kSphere);
-        result.parts.push_back(std::move(part));
+        parts.push_back(std::move(part));
         at = end + 1;
       } else if (separators.find(text[at]) != std::string::npos) {
         ++at;
       } else {
         const std::size_t end = std::min(text.find_first_of(ends, at + 1), text.size());
-        result.parts.push_back({text.substr(at, end - at), "", "", 0});
+        parts.push_back({text.substr(at, end - at), "", "", 0});
         at = end;
       }
     }
-    result.text = std::move(text);
-    require_readable(field, result);
-    return result;
+    return parts;
   }
 
   /// A statement with numbers needs a word by which it is known, and a sphere a size.
@@ -306,7 +335,7 @@ Keywords keywords_of(std::string_view text) {
 /// have the right signs.
 std::pair<double, bool> fit(const FileFormat& format,
                             const std::map<std::string_view, std::string_view>& words) {
-  if (!format.by_lines) return {};
+  if (!format.by_lines || format.is_nested()) return {};
   double asked = 0, found = 0;
   bool has_signs = true;
   for (const FormatStatement& statement : format.statements) {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/files/nested_text.h"
 #include "scene/files/scene_file.h"
 #include "scene/scene.h"
 
@@ -31,11 +32,16 @@ inline constexpr std::string_view kUnit = "unit";
 /// A sphere's colour that files may leave out with all after it, {colour:optional}.
 inline constexpr std::string_view kOptional = "optional";
 
+/// The slot of the word for the side of an angle of view.
+inline constexpr std::string_view kAxis = "fov_axis";
+
 /// A keyword, and what comes after it.
 struct FormatStatement {
   std::vector<FormatPart> parts;  ///< If the first is not a literal word, it is only written.
   std::string text;               ///< As in the template, with its line end.
   bool is_of_sphere = false;      ///< Whether it is repeated for each sphere.
+  /// What it is read by: all parts, or the rows of a nested format, whose first begins a block.
+  std::vector<std::vector<FormatPart>> rows = {};
   bool has(std::string_view slot) const {
     return std::ranges::any_of(parts, [&](const FormatPart& part) { return part.slot == slot; });
   }
@@ -56,10 +62,20 @@ struct FileFormat {
   std::string comments;               ///< What begins a comment, up to the end of the line.
   std::string separators;             ///< Characters that separate words, besides blanks.
   std::string joint = " ";            ///< What is written between the numbers of a vector.
-  bool by_lines = true;               ///< Whether a statement ends with its line.
-  bool is_left_handed = false;        ///< Whether x has the opposite sign.
-  bool has_exponents = true;          ///< Whether numbers may be written with an exponent.
-  int digits = 0;                     ///< To which numbers are rounded; 0: none is rounded.
+  bool by_lines = true;               ///< Whether a statement ends with its line, or row.
+  Nesting nesting = Nesting::kNone;   ///< How its statements contain others.
+  std::string transformation;         ///< If nested, the word before translate and scale.
+  /// If nested: the word before a name and its meaning, that before more of it, and what begins
+  /// the name where it stands for its meaning.
+  std::array<std::string, 3> definition = {};
+  /// Words that are read as others.
+  std::map<std::string, std::string, std::less<>> synonyms;
+  bool is_left_handed = false;  ///< Whether x has the opposite sign.
+  /// Whether its programs leave U and V as long as the sine of the angle between A - E and the up
+  /// vector, which widens the window by its inverse.
+  bool up_widens = false;
+  bool has_exponents = true;  ///< Whether numbers may be written with an exponent.
+  int digits = 0;             ///< To which numbers are rounded; 0: none is rounded.
   std::vector<FormatStatement> statements;
   /// Keywords that are left out, and what they are called in reports; keywords of what raycheck
   /// cannot read, and what that is.
@@ -86,6 +102,7 @@ struct FileFormat {
   bool has_angle() const { return !has("left") && !fixed.contains("left"); }
   /// Whether programs may read other forms of it.
   bool has_forms() const { return !sphere_numbers.empty(); }
+  bool is_nested() const { return nesting != Nesting::kNone; }
 };
 
 /// Reads a format, and, if a variant is named, makes that variant's replacements in its template.
@@ -138,6 +155,9 @@ inline std::string_view without_mark(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
+
+/// The sine of the angle between two vectors. Error: a few roundings.
+double sine_between(const Vector3& a, const Vector3& b);
 
 /// Whether a slot is a number of pixels, and whether a number can be one: doubles have it exactly.
 bool is_pixels(std::string_view slot);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/files/format.h"
+#include "scene/files/format_words.h"
 #include "scene/files/located_fields.h"
 #include "scene/interruption.h"
 #include "scene/number.h"
@@ -14,30 +15,6 @@
 
 namespace raycheck::scene {
 namespace {
-
-struct Word {
-  std::string_view text;
-  std::size_t line;
-};
-
-std::vector<Word> words_of(const FileFormat& format, std::string_view text) {
-  const std::string separators = format.separators + " \t\v\f";
-  std::vector<Word> words;
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    poll();
-    const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
-    std::string_view rest = text.substr(0, length);
-    const std::size_t line_end = text.substr(length).starts_with("\r\n") ? 2 : 1;
-    text.remove_prefix(std::min(length + line_end, text.size()));
-    if (!format.comments.empty()) rest = rest.substr(0, rest.find(format.comments));
-    for (std::size_t at = 0; (at = rest.find_first_not_of(separators, at)) != rest.npos;) {
-      const std::size_t end = std::min(rest.find_first_of(separators, at), rest.size());
-      words.push_back({rest.substr(at, end - at), line});
-      at = end;
-    }
-  }
-  return words;
-}
 
 /// The numbers of a slot, the line on which they are, and the word where their statement begins.
 struct Given {
@@ -69,7 +46,10 @@ class GivenSlots {
 class FormattedReader {
  public:
   FormattedReader(const FileFormat& format, std::string_view text, std::string_view file)
-      : format_(format), located_(file), words_(words_of(format, text)) {
+      : format_(format),
+        located_(file),
+        rows_(defined_rows(format, text, file)),
+        words_(format.is_nested() ? words_of(rows_) : words_of(format, text)) {
     for (const auto* fixed : {&format.defaults, &format.fixed}) {
       for (const auto& [slot, numbers] : *fixed) {
         std::ranges::copy(numbers, camera_[slot].numbers.begin());
@@ -80,7 +60,7 @@ class FormattedReader {
   LoadedScene read() {
     for (std::size_t at = 0; at < words_.size();) {
       poll();
-      at = statement(at);
+      at = format_.is_nested() ? block(at) : statement(at);
     }
     if (!is_of_format_) {
       located_.fail(1, "first word", words_.empty() ? "" : words_[0].text,
@@ -114,7 +94,7 @@ class FormattedReader {
     for (const FormatStatement& one : format_.statements) {
       if (one.parts.empty() || one.parts.front().word != words_[at].text) continue;
       if (has_first_words(one, at)) meant = &one;
-      if (const auto ends = matched(one, at)) {
+      if (const auto ends = matched(one.parts, at)) {
         is_of_format_ = true;
         take(one, at);
         if (!format_.by_lines) return ends->all;
@@ -126,20 +106,132 @@ class FormattedReader {
         return next_line(at);
       }
     }
-    const auto& [keyword, line] = words_[at];
+    const std::string_view keyword = words_[at].text;
     if (meant != nullptr) {
-      located_.fail(line, keyword,
+      located_.fail(words_[at].line, keyword,
                     "is not followed by what the format " + format_.name +
                         " has: " + joined(meant->parts, " ", shown_part));
     }
-    if (const auto refused = format_.refused.find(keyword); refused != format_.refused.end()) {
-      located_.fail(line, keyword, "cannot be read: " + refused->second);
-    }
-    if (!leave_out(keyword) && format_.by_lines && !parse_number(keyword)) {
-      if (unknown_ == nullptr) unknown_ = &words_[at];
-      warn(at, "unknown keyword, ignored");
-    }
+    refuse(keyword, at);
+    if (!leave_out(keyword) && format_.by_lines && !parse_number(keyword)) warn_unknown(at);
     return format_.by_lines ? next_line(at) : at + 1;
+  }
+  void refuse(std::string_view keyword, std::size_t at) const {
+    const auto refused = format_.refused.find(keyword);
+    if (refused == format_.refused.end()) return;
+    located_.fail(words_[at].line, keyword, "cannot be read: " + refused->second);
+  }
+  void warn_unknown(std::size_t at) {
+    if (unknown_ == nullptr) unknown_ = &words_[at];
+    warn(at, "unknown keyword, ignored");
+  }
+
+  /// Reads the block at a word of a nested file, and returns where the next one begins.
+  std::size_t block(std::size_t first) {
+    const auto found = std::ranges::find_if(format_.statements, [&](const auto& statement) {
+      const bool is_read = std::ranges::any_of(
+          statement.parts, [](const FormatPart& part) { return part.numbers > 0; });
+      return is_read && !statement.rows.empty() && matched(statement.rows.front(), first);
+    });
+    std::size_t end = first + 1;
+    while (end < words_.size() && !words_[end].begins) ++end;
+    if (found == format_.statements.end()) {
+      leave_out_row(first);
+      return end;
+    }
+    is_of_format_ = true;
+    Block its{*found, {}, {}, {}};
+    for (std::size_t at = next_line(first); at < end; at = next_line(at)) read_row(its, at);
+    if (!its.statement.is_of_sphere) return end;
+    for (const auto& [slot, numbers] : format_.defaults) {
+      if (its.slots.find(slot) == nullptr) its.slots.add(slot) = camera_.find(slot)->second;
+    }
+    given_ = its.slots;
+    const Given* const centre = given_.find("centre");
+    if (centre == nullptr) located_.fail(words_[first].line, words_[first].text, "has no centre");
+    take_sphere({centre->numbers, words_[first].line, first});
+    const std::string_view left_out = transform(spheres_.back(), its.transformations);
+    if (left_out.empty()) return end;
+    count(std::string(left_out));
+    spheres_.pop_back();
+    sphere_lines_.pop_back();
+    return end;
+  }
+  struct Block {
+    const FormatStatement& statement;
+    GivenSlots slots;
+    std::vector<Word> transformations;
+    std::set<std::string, std::less<>> left_out;
+  };
+
+  void read_row(Block& block, std::size_t at) {
+    const std::size_t end = next_line(at);
+    if (block.statement.is_of_sphere && words_[at].text == format_.transformation) {
+      while (++at < end) block.transformations.push_back(words_[at]);
+      return;
+    }
+    for (const std::vector<FormatPart>& row : block.statement.rows) {
+      const auto is_needed = [](const FormatPart& part) {
+        return (part.numbers > 0 && !part.slot.starts_with("colour")) || part.slot == kAxis;
+      };
+      if (std::ranges::none_of(row, is_needed)) continue;
+      const auto ends = matched(row, at);
+      if (!ends) continue;
+      look_after(block.statement, at, *ends);
+      if (!block.statement.is_of_sphere) return take(block.statement, at);
+      for (const auto& [slot, its] : given_.all()) block.slots.add(slot) = its;
+      return;
+    }
+    leave_out_row(at, &block.left_out);
+  }
+
+  /// Refuses a row, or counts it as what its first two words or its first are called.
+  void leave_out_row(std::size_t at, std::set<std::string, std::less<>>* counted = nullptr) {
+    std::string keyword(words_[at].text);
+    if (at + 1 < next_line(at)) keyword.append(" ").append(words_[at + 1].text);
+    for (const std::string& one : {keyword, std::string(words_[at].text)}) {
+      refuse(one, at);
+      const auto ignored = format_.ignored.find(one);
+      if (ignored == format_.ignored.end()) continue;
+      if (counted == nullptr || counted->insert(ignored->second).second) count(ignored->second);
+      return;
+    }
+    warn_unknown(at);
+  }
+
+  /// Translates and scales a ball; what it is called if it is then none that can be read.
+  std::string_view transform(Sphere& ball, std::span<const Word> words) const {
+    for (std::size_t k = 0; k < words.size();) {
+      const Word& name = words[k++];
+      std::array<double, 3> by{};
+      std::size_t count = 0;
+      for (; k < words.size(); ++k, ++count) {
+        const auto number = parse_number(words[k].text);
+        if (!number) break;
+        by.at(std::min<std::size_t>(count, 2)) = *number;
+      }
+      const bool is_translation = name.text == "translate";
+      if (is_translation || name.text == "scale") {
+        if (count == 1 && !is_translation) {
+          by = {by[0], by[0], by[0]};
+        } else if (count != 3) {
+          located_.fail(name.line, name.text, "needs 3 numbers, has " + std::to_string(count));
+        }
+        if (is_translation) {
+          ball.centre = {ball.centre.x + by[0], ball.centre.y + by[1], ball.centre.z + by[2]};
+          continue;
+        }
+        const double size = std::abs(by[0]);
+        if (std::abs(by[1]) != size || std::abs(by[2]) != size) return "ellipsoid";
+        ball.radius *= size;
+        ball.centre = {0 + ball.centre.x * by[0], 0 + ball.centre.y * by[1],
+                       0 + ball.centre.z * by[2]};
+      } else if (!(name.text.starts_with("rotate") || name.text == "angle") ||
+                 ball.centre != Point3{}) {
+        return "transformed sphere";
+      }
+    }
+    return "";
   }
 
   /// Counts a statement with an ignored keyword.
@@ -191,22 +283,22 @@ class FormattedReader {
   }
 
   std::size_t next_line(std::size_t at) const {
-    const std::size_t line = words_[at].line;
-    while (at < words_.size() && words_[at].line == line) ++at;
+    const std::size_t row = words_[at].row;
+    while (at < words_.size() && words_[at].row == row) ++at;
     return at;
   }
 
   /// Where a statement that begins at a word ends; empty if its literal words are others.
-  std::optional<Extent> matched(const FormatStatement& statement, std::size_t first) {
+  std::optional<Extent> matched(const std::vector<FormatPart>& parts, std::size_t first) {
     given_.clear();
     numbers_ = 0;
     const std::size_t end = format_.by_lines ? next_line(first) : words_.size();
-    const std::vector<FormatPart>& parts = statement.parts;
     std::size_t at = first, needed = first + 1;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const auto& [word, slot, written, count] = parts[k];
       if (!word.empty()) {
         if (at == end || words_[at].text != word) return {};
+        if (format_.is_nested()) first = at;  // its name is in front of it
         ++at;
       } else if (slot == "*") {
         const std::string_view next =
@@ -218,6 +310,7 @@ class FormattedReader {
           ++at;
         }
       } else if (count == 0) {
+        if (slot == kAxis && at < end) axis_ = &words_[at];
         at = std::min(at + 1, end);
       } else if (written == kOptional) {
         at = std::min(at + count, end);
@@ -226,7 +319,7 @@ class FormattedReader {
         its.line = words_[first].line;
         its.statement = first;
         for (std::size_t n = 0; n < count; ++n, ++at, ++numbers_) {
-          if (at == end) fail_short(statement, first);
+          if (at == end) fail_short(parts, first);
           its.numbers[n] = number(slot, first, at);
         }
         needed = at;
@@ -250,12 +343,12 @@ class FormattedReader {
     return *value;
   }
 
-  [[noreturn]] void fail_short(const FormatStatement& statement, std::size_t first) const {
+  [[noreturn]] void fail_short(const std::vector<FormatPart>& parts, std::size_t first) const {
     if (!format_.by_lines) {
       located_.fail(words_[first].line, words_[first].text, "ends before all of its numbers");
     }
     std::size_t needs = 0;
-    for (const FormatPart& part : statement.parts) {
+    for (const FormatPart& part : parts) {
       if (part.written != kOptional) needs += part.numbers;
     }
     fail_at(first, "needs " + std::to_string(needs) +
@@ -265,7 +358,7 @@ class FormattedReader {
 
   /// Fails about a statement, whose words are its value if it is a line.
   [[noreturn]] void fail_at(std::size_t first, std::string_view what) const {
-    const auto& [keyword, line] = words_[first];
+    const auto& [keyword, line, row, begins] = words_[first];
     if (!format_.by_lines) located_.fail(line, keyword, what);
     located_.fail(line, keyword, rest_of_line(first), what);
   }
@@ -327,9 +420,11 @@ class FormattedReader {
   /// The keyword of the statement with one of these slots.
   std::string keyword_of(std::initializer_list<std::string_view> slots) const {
     for (const FormatStatement& statement : format_.statements) {
-      for (const FormatPart& part : statement.parts) {
-        if (std::ranges::find(slots, part.slot) != slots.end() && !part.slot.empty()) {
-          return statement.parts.front().word;
+      for (const std::vector<FormatPart>& row : statement.rows) {
+        std::string keyword;
+        for (const FormatPart& part : row) {
+          if (keyword.empty() || (format_.is_nested() && !part.word.empty())) keyword = part.word;
+          if (!part.slot.empty() && std::ranges::count(slots, part.slot) > 0) return keyword;
         }
       }
     }
@@ -438,20 +533,31 @@ class FormattedReader {
       camera.right = required({"window_width"}).front() / 2;
       camera.top = camera.right / ratio;
     } else {
-      const auto [slot, angle] = angle_of();
+      auto [slot, angle] = angle_of();
+      if (axis_ != nullptr) angle.side = side_of(*axis_);
       const double half_angle = required({slot}).front() * angle.half;
       if (!(half_angle > 0 && half_angle < std::numbers::pi / 2)) {
         located_.fail(camera_.find(slot)->second.line, keyword_of({slot}),
                       shortest(required({slot}).front()),
                       "must be an angle of view above 0 and below 180 degrees");
       }
-      const double half = std::tan(half_angle) * std::abs(camera.near);
+      double half = std::tan(half_angle) * std::abs(camera.near);
+      if (format_.up_widens) half /= sine_between(camera.look_at - camera.eye, camera.up);
       const bool is_vertical = angle.is_vertical(camera);
       camera.top = is_vertical ? half : half / ratio;
       camera.right = is_vertical ? half * ratio : half;
     }
     camera.bottom = -camera.top;
     camera.left = -camera.right;
+  }
+
+  /// The side that a word in the place of {fov_axis} means.
+  AngleSlot::Side side_of(const Word& word) const {
+    for (const char* const name : {"fov", "fov_"}) {
+      if (const auto angle = angle_slot(name + std::string(word.text))) return angle->side;
+    }
+    located_.fail(word.line, "the side of an angle of view", word.text,
+                  "must be x, y, larger or smaller");
   }
 
   /// The slot of the angle that the file or the format gives; if none does, the template's.
@@ -492,7 +598,7 @@ class FormattedReader {
 
   void warn(std::size_t at, const std::string& what) {
     constexpr std::size_t kMostWarnings = 20;
-    const auto& [keyword, line] = words_[at];
+    const auto& [keyword, line, row, begins] = words_[at];
     if (!warned_.emplace(keyword).second || warned_.size() > kMostWarnings) return;
     warnings_.push_back(
         located_.located(line, keyword, what + " (first on line " + std::to_string(line) + ")"));
@@ -500,9 +606,11 @@ class FormattedReader {
 
   const FileFormat& format_;
   LocatedFields located_;
+  const std::vector<NestedRow> rows_;
   std::vector<Word> words_;
-  GivenSlots given_;         ///< Of the statement that is read.
-  std::size_t numbers_ = 0;  ///< How many numbers it has.
+  const Word* axis_ = nullptr;  ///< The word in the place of {fov_axis}.
+  GivenSlots given_;            ///< Of the statement that is read.
+  std::size_t numbers_ = 0;     ///< How many numbers it has.
   std::map<std::string, Given, std::less<>> camera_;
   std::vector<Sphere> spheres_;
   std::vector<std::size_t> sphere_lines_;

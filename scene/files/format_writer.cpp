@@ -165,7 +165,7 @@ class FormattedWriter {
 
   std::string value_of(const std::string& slot, const std::string& written,
                        std::size_t sphere) const {
-    if (slot == "_" || slot == "*" || slot == "extra") return written;
+    if (slot == "_" || slot == "*" || slot == "extra" || slot == kAxis) return written;
     if (slot == "image") return "image.ppm";
     if (slot == "behind") return words(numbers_of(behind(*scene_.camera)));
     if (slot == "count") return std::to_string(scene_.spheres.size());
@@ -209,6 +209,11 @@ class FormattedWriter {
 
 }  // namespace
 
+double sine_between(const Vector3& a, const Vector3& b) {
+  const Vector3 normal = cross(unit(a), unit(b));
+  return std::hypot(normal.x, normal.y, normal.z);
+}
+
 Scene mirrored(Scene scene) {
   Camera& camera = *scene.camera;
   for (double* x : {&camera.eye.x, &camera.look_at.x, &camera.up.x}) *x = 0 - *x;
@@ -249,6 +254,7 @@ std::string why_not_expressed(const FileFormat& format, const Scene& scene) {
 std::string write_formatted(const FileFormat& format, const Scene& scene,
                             std::span<const Colour> colours) {
   Scene moved = posed(format, scene);
+  if (format.up_widens) moved.camera->up = axes_of(*moved.camera)[1];
   if (format.is_left_handed) moved = mirrored(std::move(moved));
   return FormattedWriter(format, std::move(moved), colours).write();
 }

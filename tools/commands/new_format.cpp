@@ -102,7 +102,7 @@ std::multimap<std::string, Meaning> meanings() {
     }
   };
   for (const auto& [name, format] : scene::formats()) {
-    if (format.by_lines) add(format);
+    if (format.by_lines && !format.is_nested()) add(format);
   }
   static const scene::FileFormat kUsualFormat = scene::read_format(
       fmt::format("title = \"\"\ntemplate = '''\n{}'''\n", kUsual), "usual.toml");

@@ -230,6 +230,14 @@ Scene random_scene(std::mt19937_64& random, const FileFormat& format) {
   make_unit("view", view);
   make_unit("up", camera.up);
   camera.look_at = {camera.eye.x + view.x, camera.eye.y + view.y, camera.eye.z + view.z};
+  if (format.up_widens) {  // files have up vectors of length 1 at right angles to the view
+    const double along = (view.x * camera.up.x + view.y * camera.up.y + view.z * camera.up.z) /
+                         (view.x * view.x + view.y * view.y + view.z * view.z);
+    Vector3& up = camera.up;
+    up = {up.x - along * view.x, up.y - along * view.y, up.z - along * view.z};
+    const double length = std::hypot(up.x, up.y, up.z);
+    up = {up.x / length, up.y / length, up.z / length};
+  }
   return scene;
 }
 
