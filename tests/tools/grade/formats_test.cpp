@@ -36,6 +36,10 @@ TEST(SceneFormats, of_scenes_are_known_by_the_ending_of_the_name) {
                            "rows top-first, samples centres, origin focal", "no discrepancy"});
   const Outcome half = run("check " + balls + " " + renderer("half-angle "), 1);
   expect_parts(half.out, {"nearest sphere   3072  250 missed"});
+  // An angle whose window has square pixels up to a rounding.
+  const std::string wide = temporary_file("wide.nff", replaced(kBalls, "64 48", "60 40"));
+  expect_parts(run("check " + wide + " " + renderer(), 0).out,
+               {"2400 of 2400 rays judged", "no discrepancy"});
   expect_parts(run("image " + balls + " --out " + temporary_file("b.png", ""), 0).out,
                {"2 of 2 spheres visible"});
   expect_parts(run("plan " + balls, 0).out, {"64 x 48 pixels, 2 spheres"});
