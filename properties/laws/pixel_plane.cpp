@@ -124,8 +124,8 @@ class PlaneAnswers {
   double worst_condition() const {
     return worst_of([](const ExactRay& ray) { return reference::condition_of_pixel_point(ray); });
   }
-  /// Whether positions at the distances across(in) and down(in) differ by much more than the largest
-  /// allowed errors, so that errors of their ratios are linear.
+  /// Whether positions at the distances across(in) and down(in) differ by much more than the
+  /// largest allowed errors, so that errors of their ratios are linear.
   template <class Across, class Down>
   bool are_separated(const Across& across, const Down& down) const {
     const auto are_apart = [&](double condition) {
@@ -322,8 +322,8 @@ void judge_centre_pixel(Trial& trial, Verdict& verdict) {
       []<class In>(const In& in) {
         using Number = typename In::Number;
         auto [x, y, z] = in.position(0);
-        return std::array{Share<Number>{norm(reference::Triple<Number>{x, y, Number(0)}),
-                                        in.size_of_point(0)}};
+        return std::array{
+            Share<Number>{norm(reference::Triple<Number>{x, y, Number(0)}), in.size_of_point(0)}};
       },
       trial.bound(Quantity::kPixelPoint), [] { return "distance from the optical axis"; });
 }
@@ -341,10 +341,9 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
   }
   const auto is_nearer_own = [&](auto along) {
     return answers.sign([&](const auto& in) {
-             const auto got = in.position(0);
-             return abs(along(got - in.exact_position(1))) -
-                    abs(along(got - in.exact_position(0)));
-           }) > 0;
+      const auto got = in.position(0);
+      return abs(along(got - in.exact_position(1))) - abs(along(got - in.exact_position(0)));
+    }) > 0;
   };
   const bool right = is_nearer_own([](const auto& v) { return v.x; }) &&
                      is_nearer_own([](const auto& v) { return v.y; });
@@ -412,9 +411,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
           return reference::narrow_error_in_u(abs(off(PlaneAnswers::InDoubleDoubles{answers})));
         });
       },
-      [&] {
-        return step(balls, 2).contains_zero() ? kInfiniteError : in_units_of_u(off(balls));
-      });
+      [&] { return step(balls, 2).contains_zero() ? kInfiniteError : in_units_of_u(off(balls)); });
   Place place;
   place.pixel = Pixel{0, 0};
   trial.measure(

@@ -23,7 +23,8 @@ CaseVerdict verdict_on(const Law& law, Trials* trials, const Verdict* earlier = 
   Trial& trial = trials->of(law);
   // If the candidate lacks functions, that is the reason, even outside its domain.
   const bool judged = trial.is_judged(law.quantity) || !what_is_missing(law.needs, trial).empty();
-  return {judged, &trial != &trials->on_case(), judged ? trials->apply(law, earlier) : Verdict(law.name)};
+  return {judged, &trial != &trials->on_case(),
+          judged ? trials->apply(law, earlier) : Verdict(law.name)};
 }
 
 CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& the_case,

@@ -72,8 +72,9 @@ double most_condition_of_pixel_point(const ExactRay& ray) {
     const DoubleDouble u_size =
         length(DoubleDoubleKernel::Vector_3(CGAL::cross_product(inputs.up, w)));
     const DoubleDouble positions = sum(inputs.eye) + sum(inputs.look_at);
-    const DoubleDouble turned = positions * (DoubleDouble(1) / w_size + length(inputs.up) / u_size) +
-                                sum(inputs.up) * w_size / u_size;
+    const DoubleDouble turned =
+        positions * (DoubleDouble(1) / w_size + length(inputs.up) / u_size) +
+        sum(inputs.up) * w_size / u_size;
     const DoubleDouble all = sum(inputs.eye) + sqrt(line.a) * turned + abs(inputs.near) +
                              abs(inputs.left) + abs(inputs.right) + abs(inputs.bottom) +
                              abs(inputs.top);

@@ -27,7 +27,8 @@ double condition_of_frame(const ExactCamera& camera);  ///< The largest of an ax
 double condition_of_pixel_point(const ExactRay& ray);
 /// A much cheaper upper bound of condition_of_pixel_point(); infinite if double-doubles give none.
 /// With w = E - A, u = up x w and g = P - E, a change of the inputs turns the axes by at most
-/// |dw|/|w| + |du|/|u|, so that the bound is |E| + |g| ((|E| + |A|) (1/|w| + |up|/|u|) + |up||w|/|u|)
+/// |dw|/|w| + |du|/|u|, so that the bound is |E| + |g| ((|E| + |A|) (1/|w| + |up|/|u|) +
+/// |up||w|/|u|)
 /// + |n| + |left| + |right| + |bottom| + |top| over |P|, where |E|, |A| and the first |up| of a
 /// product are sums of the coordinates' magnitudes.
 double most_condition_of_pixel_point(const ExactRay& ray);
