@@ -21,6 +21,8 @@ const std::string kYaml = R"(---
 - add: light
   at: [-10, 10, -10]
 - define: half
+  value: [ scale, 7 ]
+- define: half
   value:
     - [ translate, 1, -1, 1 ]
     - [ scale, 0.5, 0.5, 0.5 ]
@@ -144,8 +146,8 @@ TEST(ReadNested, NamesLineAndKeywordOfWhatIsWrong) {
         {"field-of-view: 1.25", "field-of-view: 4", "f.yml:5: field-of-view = 4: must be an angle"},
         {"height: 4", "width: 9", "f.yml:6: width = 9: is given twice, first on line 4"},
         {"[ translate, 0, 0, 3 ]", "[ translate, 0, 3 ]",
-         "f.yml:31: translate: needs 3 numbers, has 2"},
-        {"translate, 0.5, 2", "translate, inf, 2", "f.yml:32: sphere[2].centre = [-inf, 2, 3]: "},
+         "f.yml:33: translate: needs 3 numbers, has 2"},
+        {"translate, 0.5, 2", "translate, inf, 2", "f.yml:34: sphere[2].centre = [-inf, 2, 3]: "},
         {"add: camera", "add: eye", "from: is missing, which the format rtc needs"}}) {
     const std::string error = error_of(replaced(kYaml, from, to), "f.yml");
     EXPECT_TRUE(has(error, says));
