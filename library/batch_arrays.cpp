@@ -169,11 +169,11 @@ std::optional<reference::ExactRay> Questions::exact(std::size_t ray) const {
 
 bool Questions::is_valid_ray(std::size_t ray) const {
   if (camera_) return exact(ray).has_value();
-  const auto [origin, direction] = given(ray);
-  const double sum = (origin.x - origin.x) + (origin.y - origin.y) + (origin.z - origin.z) +
-                     (direction.x - direction.x) + (direction.y - direction.y) +
-                     (direction.z - direction.z);  // 0 if all are finite
-  return sum == 0 && direction != scene::Vector3{};
+  const auto [from, along] = given(ray);
+  const double sum = (from.x - from.x) + (from.y - from.y) + (from.z - from.z) +
+                     (along.x - along.x) + (along.y - along.y) +
+                     (along.z - along.z);  // 0 if all are finite
+  return sum == 0 && along != scene::Vector3{};
 }
 bool Questions::is_valid_sphere(std::size_t k) const {
   const auto [at, r] = sphere(k);

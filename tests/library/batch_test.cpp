@@ -182,7 +182,9 @@ TEST(Batch, DecidesSmallIntegersAsIntegersDo) {
     const int expected = !met ? 0 : disc == 0 ? 2 : 1;
     ASSERT_EQ(many.hit_class[k], expected) << k;
     ++count[static_cast<std::size_t>(expected)];
-    if (met) ASSERT_EQ(many.root[k], c < 0 || (c == 0 && b < 0) ? 1 : 0) << k;
+    if (met) {
+      ASSERT_EQ(many.root[k], c < 0 || (c == 0 && b < 0) ? 1 : 0) << k;
+    }
   }
   EXPECT_GT(count[0], 10000);
   EXPECT_GT(count[1], 10000);
@@ -322,7 +324,9 @@ TEST(Batch, ReadsAndWritesEveryLayout) {
         ASSERT_EQ(s[k], static_cast<float>(many.s[k]));
         ASSERT_GE(s_error[k], many.s_error[k]);
         const double off = std::abs(static_cast<double>(s[k]) - many.s[k]);
-        if (std::isfinite(s[k])) ASSERT_GE(static_cast<double>(s_error[k]), off);
+        if (std::isfinite(s[k])) {
+          ASSERT_GE(static_cast<double>(s_error[k]), off);
+        }
         ASSERT_EQ(gaps[k].value, many.point[2][k]);
       }
     }
@@ -342,7 +346,9 @@ TEST(Batch, ComparesEachRayWithEverySphere) {
     ASSERT_EQ(one.decide(), RAYCHECK_OK);
     for (std::size_t k = 0; k < one.rays.size(); ++k) {
       ASSERT_EQ(one.hit_class[k], many.hit_class[m * one.rays.size() + k]);
-      if (one.hit_class[k] != RAYCHECK_MISS) ASSERT_EQ(one.s[k], many.s[m * one.rays.size() + k]);
+      if (one.hit_class[k] != RAYCHECK_MISS) {
+        ASSERT_EQ(one.s[k], many.s[m * one.rays.size() + k]);
+      }
     }
   }
 }
@@ -362,7 +368,9 @@ TEST(Batch, NamesWhatIsNotValidAndAnswersTheRest) {
       for (std::size_t k = 0; k < wrong.rays.size(); ++k) {
         if (k == at || k == 1999) continue;
         ASSERT_EQ(wrong.hit_class[k], right.hit_class[k]);
-        if (wrong.hit_class[k] == RAYCHECK_HIT) ASSERT_EQ(wrong.s[k], right.s[k]);
+        if (wrong.hit_class[k] == RAYCHECK_HIT) {
+          ASSERT_EQ(wrong.s[k], right.s[k]);
+        }
       }
       EXPECT_EQ(wrong.hit_class[at], RAYCHECK_INVALID);
       EXPECT_TRUE(std::isnan(wrong.s[at]) && std::isnan(wrong.s_error[at]));

@@ -210,11 +210,11 @@ int main(int argc, char** argv) {
                                     c.left,        c.right,           c.bottom,     c.top,
                                     c.width,       c.height};
     const auto pixels = static_cast<std::size_t>(c.width * c.height);
-    std::vector<std::int32_t> sphere(pixels), others(pixels);
+    std::vector<std::int32_t> seen_sphere(pixels), others(pixels);
     std::vector<double> s(pixels);
     const raycheck_options options = batch::options();
     raycheck_seen to = {};
-    to.sphere = batch::output(sphere);
+    to.sphere = batch::output(seen_sphere);
     to.s = batch::output(s);
     const Action draw = [&] {
       batch::check(raycheck_image(&camera, &balls.spheres, &options, &to, &batch::error()));
@@ -226,7 +226,7 @@ int main(int argc, char** argv) {
     };
     draw();
     see();
-    if (sphere != others) return 1;
+    if (seen_sphere != others) return 1;
     pair(name.c_str(), pixels, draw, "plan and Visibility", pixels, see);
   }
   // Blocks of many rays, by one thread and by two.

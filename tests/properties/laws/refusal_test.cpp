@@ -35,9 +35,9 @@ Candidate accepting(const Takes& takes) {
   Candidate candidate = mutants::named("accepts-one-kind");
   const auto change = [&](auto& function, const std::string& name) {
     function = [ask = function, name, takes](const auto&... asked) {
-      using Answer = typename std::decay_t<decltype(ask)>::result_type;
+      using Answered = typename std::decay_t<decltype(ask)>::result_type;
       const std::string kind = kind_of(asked...);
-      return !kind.empty() && takes(name + kind) ? Answer{} : ask.as_is(asked...);
+      return !kind.empty() && takes(name + kind) ? Answered{} : ask.as_is(asked...);
     };
   };
   change(candidate.frame, "frame");

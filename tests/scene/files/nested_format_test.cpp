@@ -136,11 +136,11 @@ TEST(ReadNested, TakesNamesValuesAndTypesOfTags) {
 }
 
 TEST(ReadNested, NamesLineAndKeywordOfWhatIsWrong) {
-  struct Wrong {
+  struct Mistake {
     const char *from, *to, *says;
   };
   for (const auto& [from, to, says] :
-       {Wrong{"width: 8 ", "width: 8.5 ", "f.yml:4: width[0] = 8.5: is not a whole number"},
+       {Mistake{"width: 8 ", "width: 8.5 ", "f.yml:4: width[0] = 8.5: is not a whole number"},
         {"to: [0, 0, 0]", "to: [0, 0]", "f.yml:9: to = 0 0: needs 3 numbers, has 2"},
         {"field-of-view: 1.25\n", "\n", "field-of-view: is missing, which the format rtc needs"},
         {"field-of-view: 1.25", "field-of-view: 4", "f.yml:5: field-of-view = 4: must be an angle"},
@@ -153,7 +153,8 @@ TEST(ReadNested, NamesLineAndKeywordOfWhatIsWrong) {
     EXPECT_TRUE(has(error, says));
   }
   for (const auto& [from, to, says] :
-       {Wrong{"\"y\"", "\"diagonal\"", "f.xml:7: the side of an angle of view = diagonal: must be"},
+       {Mistake{"\"y\"", "\"diagonal\"",
+                "f.xml:7: the side of an angle of view = diagonal: must be"},
         {"perspective", "thinlens", "f.xml:6: sensor: cannot be read: only sensors of the type"},
         {"<lookat target", "<scale x=\"-1\"/><lookat target",
          "f.xml:9: to_world: cannot be read: a camera with a transformation other than lookat"},

@@ -28,7 +28,9 @@ TEST(Depth, is_judged_as_it_is_declared) {
     EXPECT_LE(depth["max"], 0.5001) << kind;
     EXPECT_GT(depth["max"], 0.4) << kind;
     for (const std::string& other : kinds) {
-      if (other != kind) EXPECT_GT(defects(depths(kind, other)), 100u) << kind << " as " << other;
+      if (other != kind) {
+        EXPECT_GT(defects(depths(kind, other)), 100u) << kind << " as " << other;
+      }
     }
   }
 }
