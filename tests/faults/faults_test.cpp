@@ -157,8 +157,8 @@ void expect_internal(const Outcome& outcome) {
 TEST(InternalErrors, InLawsAreNotBlamedOnTheCandidate) {
   for (const std::string law :
        {"frame", "pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero",
-        "density", "square-pixels", "direction", "ray-origin", "class", "parameter",
-        "backward-error", "hit-point", "focal-and-pixel", "scaling", "axes", "look-at", "up"}) {
+        "square-pixels", "direction", "ray-origin", "class", "parameter", "backward-error",
+        "hit-point", "focal-and-pixel", "scaling", "axes", "look-at", "up"}) {
     SCOPED_TRACE(law);
     const Outcome outcome =
         run_throwing("properties --rays lecture --intersect lecture --cases 60 --filter " + law);

@@ -483,8 +483,9 @@ TEST(Units, refuse_bytes_that_are_not_a_result) {
   for (std::size_t size = 0; size < whole.size(); size += 1 + size / 50) {
     EXPECT_TRUE(is_refused(whole.substr(0, size))) << size;
   }
-  const properties::DefectKind of_none[] = {{static_cast<properties::Quantity>(16), {}},
-                                            {{}, static_cast<properties::Wrong>(-1)}};
+  const properties::DefectKind of_none[] = {
+      {static_cast<properties::Quantity>(properties::kQuantityCount), {}},
+      {{}, static_cast<properties::Wrong>(-1)}};
   for (const properties::DefectKind& kind : of_none) {
     EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
                  std::invalid_argument);
