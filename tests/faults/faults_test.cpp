@@ -158,7 +158,7 @@ TEST(InternalErrors, InLawsAreNotBlamedOnTheCandidate) {
   for (const std::string law :
        {"frame", "pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero",
         "square-pixels", "direction", "ray-origin", "class", "parameter", "backward-error",
-        "hit-point", "focal-and-pixel", "scaling", "axes", "look-at", "up"}) {
+        "hit-point", "focal-and-pixel", "axes", "look-at", "up"}) {
     SCOPED_TRACE(law);
     const Outcome outcome =
         run_throwing("properties --rays lecture --intersect lecture --cases 60 --filter " + law);
