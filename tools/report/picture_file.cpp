@@ -282,12 +282,13 @@ ReadPicture read_png(std::string_view bytes, std::int64_t most,
   const bool some_transparent =
       std::ranges::any_of(read, [](const Layered& one) { return one.opacity == 0; });
   picture.pixels.reserve(read.size());
-  for (const auto& [colour, opacity] : read) {
-    const auto on_black = [&](std::uint8_t channel) {
-      return static_cast<std::uint8_t>((channel * opacity + 127) / 255);
+  for (const Layered& one : read) {
+    const auto on_black = [&one](std::uint8_t channel) {
+      return static_cast<std::uint8_t>((channel * one.opacity + 127) / 255);
     };
-    Colour shown = {on_black(colour.red), on_black(colour.green), on_black(colour.blue)};
-    if (some_transparent && opacity != 0 && shown == Colour{}) shown = {1, 1, 1};
+    Colour shown = {on_black(one.colour.red), on_black(one.colour.green),
+                    on_black(one.colour.blue)};
+    if (some_transparent && one.opacity != 0 && shown == Colour{}) shown = {1, 1, 1};
     picture.pixels.push_back(shown);
   }
   return picture;
