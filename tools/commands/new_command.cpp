@@ -9,6 +9,7 @@
 #include "tools/edge.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/report/version.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

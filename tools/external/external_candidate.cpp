@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "contract/words.h"
 #include "properties/failures.h"
 #include "properties/interfaces.h"
 #include "scene/text.h"
@@ -235,7 +236,7 @@ class Conversation {
       throw ProtocolError(fmt::format(
           "its first line is '{}', not 'raycheck 1 NAME'; print only replies to standard "
           "output, and other text to standard error",
-          shown(*first)));
+          contract::shown(*first)));
     }
     introduction_ = parse_introduction(text);
     introduction_heard_ = true;

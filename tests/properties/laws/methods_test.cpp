@@ -155,8 +155,9 @@ const RaysKept kRaysKept[] = {
 /// For all laws that depend on how rays are made.
 TEST(EveryLawOfRays, HoldsWhereItIsKept) {
   for (const auto& [method, broken, source] : kRaysKept) {
-    const Names kept =
-        laws_that([&](const Law& law) { return !is_of_plans(law) && !broken.contains(law.name); });
+    const Names kept = laws_that([&excepted = broken](const Law& law) {
+      return !is_of_plans(law) && !excepted.contains(law.name);
+    });
     EXPECT_GE(kept.size(), 20u);
     expect_hold(kept, fast_candidate(*method, fast::kCross), source);
   }
