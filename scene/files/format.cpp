@@ -1,6 +1,7 @@
 #include "scene/files/format.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -202,10 +203,26 @@ class FormatReader {
     }
   }
 
+  // Stand for the braces of slots, which in YAML have a meaning.
+  static constexpr const char *kOpen = "\u27e8", *kClose = "\u27e9";
+
+  std::vector<NestedRow> rows_of_template(const Field& field, std::string text) const {
+    for (std::size_t at = 0; (at = text.find('{', at)) != std::string::npos; ++at) {
+      if (!is_slot(text, at)) continue;
+      text.replace(text.find('}', at), 1, kClose);
+      text.replace(at, 1, kOpen);
+    }
+    try {
+      return nested_rows(format_.nesting, text, format_.separators, "line");
+    } catch (const SceneFileError& error) {
+      fields_.fail(field, error.what());
+    }
+  }
+
   /// A statement is a line, or, in free form, the text up to an empty line.
   void read_template(const Field& field, const std::string& text) {
     const std::string between = format_.by_lines && !format_.is_nested() ? "\n" : "\n\n";
-    const auto rows = nested_rows(format_.nesting, text, format_.separators, format_.comments);
+    const std::vector<NestedRow> rows = rows_of_template(field, text);
     auto row = rows.begin();
     for (std::size_t at = 0, line = 1; at < text.size();) {
       const std::size_t end = std::min(text.find(between, at), text.size() - 1) + 1;
@@ -219,7 +236,10 @@ class FormatReader {
       format_.statements.push_back(statement(field, std::move(one)));
       if (!format_.is_nested()) format_.statements.back().rows = {format_.statements.back().parts};
       for (; row != rows.end() && row->line < line; ++row) {
-        format_.statements.back().rows.push_back(parts_of(field, joined(row->words, " ")));
+        std::string words = joined(row->words, " ");
+        boost::replace_all(words, kOpen, "{");
+        boost::replace_all(words, kClose, "}");
+        format_.statements.back().rows.push_back(parts_of(field, words));
       }
     }
     if (!format_.has("centre")) fields_.fail(field, "has no {centre}: no spheres can be read");

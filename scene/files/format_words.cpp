@@ -27,7 +27,7 @@ std::vector<Word> words_of(const FileFormat& format, std::string_view text) {
 
 std::vector<NestedRow> defined_rows(const FileFormat& format, std::string_view text,
                                     std::string_view file) {
-  auto rows = nested_rows(format.nesting, text, format.separators, format.comments);
+  auto rows = nested_rows(format.nesting, text, format.separators, file);
   std::map<std::string, std::vector<std::string>, std::less<>> meanings;
   for (const auto& [word, meaning] : format.synonyms) meanings[word] = {meaning};
   const auto [definition, value, mark] = format.definition;

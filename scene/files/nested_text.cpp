@@ -1,162 +1,237 @@
 #include "scene/files/nested_text.h"
 
+#include <expat.h>
+#include <yaml.h>
+
 #include <algorithm>
+#include <exception>
 #include <map>
+#include <memory>
 #include <utility>
 
+#include "scene/files/located_fields.h"
 #include "scene/interruption.h"
 
 namespace raycheck::scene {
 namespace {
 
-constexpr std::string_view kWhite = " \t\v\f\r\n";
-
+/// Rows, each with the names of what contains it.
 class RowList {
  public:
   explicit RowList(std::string_view separators)
-      : separators_(std::string(separators).append(kWhite)) {}
+      : separators_(std::string(separators).append(" \t\v\f\r\n")) {}
 
-  /// Adds a name and its value, if it has one or begins a block. What comes later in columns behind
-  /// this one is in the name, except in that of a block.
-  void add(std::size_t column, std::string_view name, std::string_view value, std::size_t line,
-           bool begins) {
-    leave(column);
-    auto words = split_words(value, separators_);
-    if (begins || !words.empty()) {
-      NestedRow& row = rows_.emplace_back();
-      constexpr std::size_t kMost = 3;  // deeper names have no meaning
-      for (std::size_t k = 0; k < std::min(names_.size(), kMost); ++k) {
-        row.words.push_back(names_[k].second);
-      }
-      if (!name.empty()) row.words.emplace_back(name);
-      row.words.insert(row.words.end(), words.begin(), words.end());
-      row.line = line;
-      row.begins = begins;
-    }
+  /// Adds a row with the words of a value, if it has some or begins a block.
+  void add(std::string_view value, std::size_t line, bool begins) {
+    const auto words = split_words(value, separators_);
+    if (!begins && words.empty()) return;
+    constexpr std::size_t kMost = 3;  // deeper names have no meaning
+    NestedRow& row = rows_.emplace_back();
+    for (std::size_t k = 0; k < std::min(names_.size(), kMost); ++k) row.words.push_back(names_[k]);
+    row.words.insert(row.words.end(), words.begin(), words.end());
+    row.line = line;
+    row.begins = begins;
+  }
+  void enter(std::string_view name) {
     constexpr std::size_t kLongest = 60;
-    if (!name.empty() && column > 1) names_.emplace_back(column, name.substr(0, kLongest));
+    names_.emplace_back(name.substr(0, kLongest));
   }
-  /// Leaves the names in this column and behind it; whether none is left.
-  bool leave(std::size_t column) {
-    while (!names_.empty() && names_.back().first >= column) names_.pop_back();
-    return names_.empty();
-  }
+  void leave() { names_.pop_back(); }
   std::vector<NestedRow> take() { return std::move(rows_); }
 
  private:
   std::string separators_;
   std::vector<NestedRow> rows_;
-  std::vector<std::pair<std::size_t, std::string>> names_;
+  std::vector<std::string> names_;
 };
 
-bool is_white_at(std::string_view text, std::size_t at) {
-  return at >= text.size() || kWhite.find(text[at]) != kWhite.npos;
-}
+class YamlReader {
+ public:
+  YamlReader(RowList& rows, std::string_view text, std::string_view file)
+      : rows_(rows), located_(file) {
+    if (yaml_parser_initialize(&parser_) == 0) throw std::bad_alloc();
+    yaml_parser_set_input_string(&parser_, reinterpret_cast<const unsigned char*>(text.data()),
+                                 text.size());
+  }
+  ~YamlReader() { yaml_parser_delete(&parser_); }
+  YamlReader(const YamlReader&) = delete;
+  YamlReader& operator=(const YamlReader&) = delete;
 
-void add_indented(RowList& rows, std::string_view text, std::string_view comments) {
-  bool is_item = false;
-  for (std::size_t line = 1, lines = 1; !text.empty(); line += lines, lines = 1) {
-    poll();
-    std::string one;
-    for (std::ptrdiff_t open = 1; !text.empty() && open > 0; lines += open > 0 ? 1U : 0U) {
-      const std::string_view whole = text.substr(0, std::min(text.find('\n'), text.size()));
-      std::size_t mark = comments.empty() ? whole.npos : whole.find(comments);
-      while (mark < whole.size() && mark > 0 && !is_white_at(whole, mark - 1)) {
-        mark = whole.find(comments, mark + 1);
+  /// The items of outermost sequences are blocks, and so are the parts of outermost mappings.
+  void read() {
+    while (true) {
+      if (yaml_parser_load(&parser_, &document_) == 0) {
+        fail(parser_.problem_mark, parser_.problem == nullptr ? "too large" : parser_.problem);
       }
-      const std::string_view part = whole.substr(0, mark);
-      open += std::ranges::count(part, '[') - std::ranges::count(part, ']');
-      if (one.empty()) --open;
-      one.append(part).append(" ");
-      text.remove_prefix(std::min(whole.size() + 1, text.size()));
+      const std::unique_ptr<yaml_document_t, decltype(&yaml_document_delete)> owner(
+          &document_, yaml_document_delete);
+      const yaml_node_t* const root = yaml_document_get_root_node(&document_);
+      if (root == nullptr) return;
+      const Nodes parts = parts_of(*root);
+      const bool is_mapping = root->type == YAML_MAPPING_NODE;
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (!is_mapping) {
+          add(*parts[k], line_of(*parts[k]), true);
+        } else if (is_flat(*parts[++k])) {
+          rows_.add(text_of(*parts[k - 1]) + " " + text_of(*parts[k]), line_of(*parts[k - 1]),
+                    true);
+        } else {
+          rows_.add(text_of(*parts[k - 1]), line_of(*parts[k - 1]), true);
+          add(*parts[k], line_of(*parts[k]), false);
+        }
+      }
     }
-    std::size_t column = std::min(one.find_first_not_of(kWhite), one.size());
-    if (one.starts_with("---")) continue;
-    while (column < one.size() && one[column] == '-' && is_white_at(one, column + 1)) {
-      is_item = true;
-      column = std::min(one.find_first_not_of(kWhite, column + 1), one.size());
+  }
+
+ private:
+  using Nodes = std::vector<const yaml_node_t*>;
+
+  [[noreturn]] void fail(const yaml_mark_t& at, const std::string& why) const {
+    located_.fail(at.line + 1, "YAML", "is not valid: " + why);
+  }
+  static std::size_t line_of(const yaml_node_t& node) { return node.start_mark.line + 1; }
+
+  /// The items of a sequence, or the keys and values of a mapping in turn.
+  Nodes parts_of(const yaml_node_t& node) {
+    Nodes parts;
+    const auto add_part = [&](int index) {
+      parts.push_back(yaml_document_get_node(&document_, index));
+    };
+    if (node.type == YAML_SEQUENCE_NODE) {
+      const auto& items = node.data.sequence.items;
+      std::for_each(items.start, items.top, add_part);
+    } else if (node.type == YAML_MAPPING_NODE) {
+      for (const auto* pair = node.data.mapping.pairs.start; pair < node.data.mapping.pairs.top;
+           ++pair) {
+        add_part(pair->key);
+        add_part(pair->value);
+      }
     }
-    if (column == one.size()) continue;
-    const std::string_view rest = std::string_view(one).substr(column);
-    std::size_t colon = rest.find(':');
-    while (colon < rest.size() && !is_white_at(rest, colon + 1)) colon = rest.find(':', colon + 1);
-    if (rest.front() == '[' || rest.front() == '{') colon = rest.npos;
-    const bool begins = (std::exchange(is_item, false) || column == 0) && rows.leave(column);
-    const bool has_name = colon != rest.npos;
-    rows.add(column, has_name ? rest.substr(0, colon) : "",
-             has_name ? rest.substr(colon + 1) : rest, line, begins);
+    return parts;
   }
-}
 
-/// Takes the attributes of a tag from a text, up to the tag's end.
-std::map<std::string, std::string_view> take_attributes(std::string_view& text) {
-  std::map<std::string, std::string_view> all;
-  while (text.remove_prefix(std::min(text.find_first_not_of(kWhite), text.size())),
-         !text.empty() && text.front() != '>' && !text.starts_with("/>")) {
-    const std::size_t end = std::min(text.find_first_of("= \t\r\n\"'/>", 1), text.size());
-    const std::size_t quote = std::min(text.find_first_not_of("= \t\r\n", end), text.size());
-    const bool has_value = quote < text.size() && (text[quote] == '"' || text[quote] == '\'');
-    const std::size_t close = has_value ? text.find(text[quote], quote + 1) : end;
-    if (has_value && close != text.npos) {
-      all.emplace(text.substr(0, end), text.substr(quote + 1, close - quote - 1));
+  bool is_flat(const yaml_node_t& node) {
+    return node.type != YAML_MAPPING_NODE &&
+           std::ranges::all_of(parts_of(node), [](const yaml_node_t* part) {
+             return part->type == YAML_SCALAR_NODE;
+           });
+  }
+  /// A scalar's text, or that of the parts of a flat sequence; empty for others.
+  std::string text_of(const yaml_node_t& node) {
+    if (node.type == YAML_SCALAR_NODE) {
+      return {reinterpret_cast<const char*>(node.data.scalar.value), node.data.scalar.length};
     }
-    text.remove_prefix(close == text.npos ? text.size() : close + (has_value ? 1 : 0));
+    std::string all;
+    if (!is_flat(node)) return all;
+    for (const yaml_node_t* const part : parts_of(node)) all.append(text_of(*part)).append(" ");
+    return all;
   }
-  return all;
-}
 
-void add_element(RowList& rows, std::size_t depth, std::string_view tag, std::size_t line,
-                 std::map<std::string, std::string_view> attributes) {
-  const auto take = [&](const char* name, std::string_view otherwise) {
-    const auto node = attributes.extract(name);
-    return std::string(node.empty() ? otherwise : node.mapped()) + " ";
-  };
-  const std::string_view name =
-      depth > 1 && attributes.contains("name") ? attributes.extract("name").mapped() : tag;
-  const std::string own = take("type", "") + take("name", "") + take("value", "");
-  rows.add(depth, name, own, line, depth == 1);
-  if (attributes.contains("x") || attributes.contains("y") || attributes.contains("z")) {
-    rows.add(depth, name, take("x", "0") + take("y", "0") + take("z", "0"), line, false);
-  }
-  for (const auto& [attribute, value] : attributes) {
-    rows.add(depth, name, attribute + " " + std::string(value), line, false);
-  }
-}
-
-void add_tagged(RowList& rows, std::string_view text) {
-  std::size_t depth = 0, line = 1;
-  const auto skip = [&](std::size_t count) {
-    count = std::min(count, text.size());
-    line += static_cast<std::size_t>(std::ranges::count(text.substr(0, count), '\n'));
-    text.remove_prefix(count);
-  };
-  while (skip(text.find('<')), !text.empty()) {
+  void add(const yaml_node_t& node, std::size_t line, bool begins, int depth = 0) {
+    constexpr int kDeepest = 100;
+    constexpr std::ptrdiff_t kMostRepeated = 1'000'000;
     poll();
-    const bool is_comment = text.starts_with("<!--");
-    const std::string_view after = text.substr(1, 1);
-    if (after == "!" || after == "?" || after == "/") {
-      if (after == "/" && depth > 0) --depth;
-      skip(text.find(is_comment ? "-->" : ">"));
-      continue;
+    if (depth > kDeepest) fail(node.start_mark, "it is nested too deeply, or contains itself");
+    if (++read_ > document_.nodes.top - document_.nodes.start + kMostRepeated) {
+      fail(node.start_mark, "its aliases stand for too much");
     }
-    const std::size_t end = std::min(text.find_first_of("/> \t\r\n", 1), text.size());
-    std::string_view rest = text.substr(end);
-    auto attributes = take_attributes(rest);
-    if (depth > 0) {
-      add_element(rows, depth, text.substr(1, end - 1), line, std::move(attributes));
+    if (is_flat(node)) return rows_.add(text_of(node), line, begins);
+    const Nodes parts = parts_of(node);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (node.type == YAML_SEQUENCE_NODE) {
+        add(*parts[k], line_of(*parts[k]), std::exchange(begins, false), depth + 1);
+      } else {
+        rows_.enter(text_of(*parts[k++]));
+        add(*parts[k], line_of(*parts[k - 1]), std::exchange(begins, false), depth + 1);
+        rows_.leave();
+      }
     }
-    if (rest.starts_with('>')) ++depth;
-    skip(text.size() - rest.size());
   }
-}
+
+  RowList& rows_;
+  LocatedFields located_;
+  yaml_parser_t parser_ = {};
+  yaml_document_t document_ = {};
+  std::ptrdiff_t read_ = 0;
+};
+
+class XmlReader {
+ public:
+  XmlReader(RowList& rows, std::string_view file) : rows_(rows), located_(file) {
+    if (parser_ == nullptr) throw std::bad_alloc();
+    XML_SetUserData(parser_.get(), this);
+    XML_SetElementHandler(parser_.get(), on_start, on_end);
+  }
+
+  void read(std::string_view text) {
+    constexpr std::size_t kPart = std::size_t{1} << 16;
+    while (true) {
+      poll();
+      const std::string_view part = text.substr(0, kPart);
+      text.remove_prefix(part.size());
+      const bool is_last = text.empty();
+      const auto status = XML_Parse(parser_.get(), part.data(), static_cast<int>(part.size()),
+                                    is_last ? XML_TRUE : XML_FALSE);
+      if (failure_) std::rethrow_exception(failure_);
+      if (status != XML_STATUS_OK) {
+        located_.fail(
+            XML_GetCurrentLineNumber(parser_.get()), "XML",
+            std::string("is not valid: ") + XML_ErrorString(XML_GetErrorCode(parser_.get())));
+      }
+      if (is_last) return;
+    }
+  }
+
+ private:
+  static void on_start(void* self, const char* tag, const char** attributes) {
+    auto& reader = *static_cast<XmlReader*>(self);
+    try {
+      reader.start(tag, attributes);
+    } catch (...) {  // expat is C
+      reader.failure_ = std::current_exception();
+      XML_StopParser(reader.parser_.get(), XML_FALSE);
+    }
+  }
+  static void on_end(void* self, const char* /*tag*/) {
+    auto& reader = *static_cast<XmlReader*>(self);
+    if (--reader.depth_ > 1) reader.rows_.leave();
+  }
+
+  /// Elements below the root are blocks; an element with a name in one goes by it.
+  void start(std::string_view tag, const char** attributes) {
+    if (depth_++ == 0) return;
+    std::map<std::string, std::string, std::less<>> given;
+    for (; *attributes != nullptr; attributes += 2) given[attributes[0]] = attributes[1];
+    const auto take = [&](const char* name, std::string_view otherwise) {
+      const auto node = given.extract(name);
+      return std::string(node.empty() ? otherwise : node.mapped()) + " ";
+    };
+    const bool is_block = depth_ == 2;
+    const std::size_t line = XML_GetCurrentLineNumber(parser_.get());
+    rows_.enter(!is_block && given.contains("name") ? given.extract("name").mapped() : tag);
+    rows_.add(take("type", "") + take("name", "") + take("value", ""), line, is_block);
+    if (given.contains("x") || given.contains("y") || given.contains("z")) {
+      rows_.add(take("x", "0") + take("y", "0") + take("z", "0"), line, false);
+    }
+    for (const auto& [attribute, value] : given) rows_.add(attribute + " " + value, line, false);
+    if (is_block) rows_.leave();
+  }
+
+  RowList& rows_;
+  LocatedFields located_;
+  std::size_t depth_ = 0;
+  std::exception_ptr failure_;
+  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_{XML_ParserCreate(nullptr),
+                                                                       XML_ParserFree};
+};
 
 }  // namespace
 
 std::vector<NestedRow> nested_rows(Nesting nesting, std::string_view text,
-                                   std::string_view separators, std::string_view comments) {
+                                   std::string_view separators, std::string_view file) {
   RowList rows(separators);
-  if (nesting == Nesting::kTags) add_tagged(rows, text);
-  if (nesting == Nesting::kIndentation) add_indented(rows, text, comments);
+  if (nesting == Nesting::kTags) XmlReader(rows, file).read(text);
+  if (nesting == Nesting::kIndentation) YamlReader(rows, text, file).read();
   return rows.take();
 }
 

@@ -19,10 +19,13 @@ struct NestedRow {
   bool begins = false;  ///< Whether it is the first of a block: an outermost item or element.
 };
 
-/// The rows of a text, as far as it can be told. In a block of tags an element with a name goes by
-/// it, its value and its x, y and z follow the name, and so does each other attribute.
+/// The rows of a text, by libyaml or expat. The items of YAML's outermost sequence are blocks. In a
+/// block of tags an element with a name goes by it, its value and its x, y and z follow the name,
+/// and so does each other attribute.
+/// Errors: SceneFileError with the line if the text is not valid YAML or XML, has an alias, or is
+/// nested too deeply.
 std::vector<NestedRow> nested_rows(Nesting nesting, std::string_view text,
-                                   std::string_view separators, std::string_view comments);
+                                   std::string_view separators, std::string_view file);
 
 /// The words of a text.
 std::vector<std::string_view> split_words(std::string_view text, std::string_view separators);

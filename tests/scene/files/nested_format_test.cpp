@@ -168,6 +168,50 @@ TEST(ReadNested, NamesLineAndKeywordOfWhatIsWrong) {
   }
 }
 
+TEST(ReadNested, TakesAllThatYamlAndXmlHave) {
+  std::string yaml = kYaml;
+  for (const auto& [from, to] :
+       {std::pair("- add: sphere\n- add: sphere\n", "- {add: sphere}\n- add: 'sphere'\n"),
+        {"from: [ 0, 0,\n    -4 ]", "from: &eye\n    - 0\n    - 0.0\n    - \"-4\""},
+        {"at: [-10, 10, -10]", "at: *eye"},
+        {"width: 8 ", "\"width\": !!int 8 "}}) {
+    yaml = replaced(yaml, from, to);
+  }
+  EXPECT_EQ(read(yaml, "f.yml").scene, read(kYaml, "f.yml").scene);
+  std::string xml = kXml;
+  for (const auto& [from, to] :
+       {std::pair("<scene", "<!DOCTYPE scene [<!ENTITY half \"0.5\">]>\n<scene"),
+        {"value=\"0.5\"", "value = '&half;'"},
+        {"<sensor", "<![CDATA[<shape type=\"sphere\"/>]]><sensor"},
+        {"</scene>", "</scene ><!-- -- -->"}}) {
+    xml = replaced(xml, from, to);
+  }
+  xml = replaced(xml, "<!-- -- -->", "<!-- end -->");
+  EXPECT_EQ(read(xml, "f.xml").scene, read(kXml, "f.xml").scene);
+}
+
+TEST(ReadNested, NamesLinesThatAreNotValid) {
+  for (const auto& [from, to, says] :
+       {std::tuple("to: [0, 0, 0]", "to: [0, 0, 0", "f.yml:10: YAML: is not valid: did not find"),
+        {"  up: [0, 1, 0]", " up: [0, 1, 0]", "f.yml:10: YAML: is not valid: did not find"},
+        {"at: [-10, 10, -10]", "at: *eye", "f.yml:13: YAML: is not valid: found undefined alias"},
+        {"- [ scale, 8, 8, 8 ]", "- &it [ *it, 8 ]",
+         "f.yml:23: YAML: is not valid: it is nested too deeply, or contains itself"}}) {
+    EXPECT_TRUE(has(error_of(replaced(kYaml, from, to), "f.yml"), says));
+  }
+  std::string bomb = "- a0: &a0 [[1], [1]]\n";
+  for (int k = 1; k < 40; ++k) {
+    const std::string before = "*a" + std::to_string(k - 1);
+    const std::string own = "a" + std::to_string(k);
+    bomb += "- " + own + ": &" + own + " [" + before + ", " + before + "]\n";
+  }
+  EXPECT_TRUE(has(error_of(bomb + kYaml, "f.yml"), "its aliases stand for too much"));
+  EXPECT_TRUE(has(error_of(replaced(kXml, "</sensor>", ""), "f.xml"),
+                  "f.xml:24: XML: is not valid: mismatched tag"));
+  EXPECT_TRUE(has(error_of(replaced(kXml, "value=\"90\"", "value=\"&it;\""), "f.xml"),
+                  "f.xml:12: XML: is not valid: undefined entity"));
+}
+
 TEST(ReadNested, LimitsWhatDefinitionsAdd) {
   std::string text = "- define: d0\n  value: a a a a a a a a\n";
   for (int k = 1; k < 30; ++k) {
