@@ -220,6 +220,16 @@ def test_right_functions_pass_and_wrong_ones_are_shown():
     assert not never.passes and never.shrunk["origins"].shape == (1, 3)
 
 
+def test_functions_may_return_points_alone():
+    def points(origins, directions, centre, radius):
+        s = textbook(origins, directions, centre, radius)
+        return origins + s[:, None] * directions
+
+    raycheck.testing.assert_right(points, returns="point")
+    with pytest.raises(AssertionError, match="broken"):
+        raycheck.testing.assert_right(lambda *case: points(*case) + 0.1, returns="point", cases=40)
+
+
 def test_a_function_that_does_not_answer_is_said_to():
     verdict = raycheck.judge(lambda *_: 1, "class", cases=5)
     assert not verdict.passes
