@@ -197,6 +197,7 @@ struct Made {
 inline raycheck_array part(const Operand& of, const Layout& in, py::ssize_t first,
                            py::ssize_t count) {
   const py::ssize_t stride = in.stride(of);
+  if (count == 0) return {of.data(), 0, stride, of.type};  // NumPy's strides are then 0
   return {of.data() + in.offset(of, first), stride == 0 ? 1 : static_cast<std::size_t>(count),
           stride, of.type};
 }

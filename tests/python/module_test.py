@@ -103,6 +103,13 @@ def test_one_ray_meets_many_spheres():
     assert (seen.sphere.tolist(), seen.ties.tolist()) == ([0, -1], [1, 0])
 
 
+@pytest.mark.parametrize("radii", [np.zeros(0), 1])
+def test_no_spheres_are_seen_where_there_are_none(radii):
+    seen = raycheck.nearest(np.zeros((2, 3)), [0, 0, 1], np.zeros((0, 3)), radii)
+    assert seen.sphere.tolist() == [-1, -1] and seen.ties.tolist() == [0, 0]
+    assert np.isinf(seen.s).all() and np.isinf(seen.point).all()
+
+
 def test_other_numbers_are_converted():
     big = np.array([0, 0, 5], ">f8")
     for centre in ([0, 0, 5], big, big.astype("f2"), big.astype("i8")):
