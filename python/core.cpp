@@ -122,16 +122,20 @@ Answers nearest(QUESTION_ARGUMENTS) {
   const Made sphere = made("sphere", RAYCHECK_INT32), ties = made("ties", RAYCHECK_INT32);
   const Made s = made("s", questions.type), s_error = made("s_error", questions.type);
   const Made point = made("point", questions.type, true);
-  questions.each_block(in, [&](py::ssize_t first, py::ssize_t count, raycheck_error* error) {
-    const raycheck_seen to = {sphere.part(first, count), ties.part(first, count),
-                              s.part(first, count), point.part3(first, count),
-                              s_error.part(first, count)};
-    if (is_image) {
-      return raycheck_image(&questions.camera->camera, &spheres, &questions.options, &to, error);
-    }
-    const raycheck_rays rays = questions.rays(in, first, count);
-    return raycheck_nearest(&rays, &spheres, &questions.options, &to, error);
-  });
+  questions.each_block(
+      in,
+      [&](py::ssize_t first, py::ssize_t count, raycheck_error* error) {
+        const raycheck_seen to = {sphere.part(first, count), ties.part(first, count),
+                                  s.part(first, count), point.part3(first, count),
+                                  s_error.part(first, count)};
+        if (is_image) {
+          return raycheck_image(&questions.camera->camera, &spheres, &questions.options, &to,
+                                error);
+        }
+        const raycheck_rays rays = questions.rays(in, first, count);
+        return raycheck_nearest(&rays, &spheres, &questions.options, &to, error);
+      },
+      true);
   return answers;
 }
 

@@ -129,6 +129,17 @@ def test_what_is_wrong_is_named(arguments, message):
         raycheck.decide(*arguments)
 
 
+@pytest.mark.parametrize("rays", [(), (2,), (40,)])
+def test_a_sphere_of_a_list_is_named_by_its_own_index(rays):
+    centres = np.full((50, 3), 9.0)
+    centres[30, 1] = np.nan
+    with pytest.raises(ValueError, match=r"centres\[30\]: \[9, nan, 9\] is not finite"):
+        raycheck.nearest(np.zeros((*rays, 3)), [0, 0, 1], centres, 1)
+    with pytest.raises(ValueError, match=r"radii\[31\]: -1 is negative"):
+        raycheck.nearest(np.zeros((*rays, 3)), [0, 0, 1], np.ones((50, 3)),
+                         np.where(np.arange(50) == 31, -1, 1))
+
+
 def test_numbers_that_are_not_numbers_are_refused_or_nan():
     with pytest.raises(TypeError, match="radii: must be an array of numbers"):
         raycheck.decide([0, 0, 0], [0, 0, 1], [0, 0, 5], "one")
