@@ -41,6 +41,7 @@ struct Operand {
   int32_t type = RAYCHECK_FLOAT64;
 
   const char* data() const { return static_cast<const char*>(array.data()); }
+  py::ssize_t item() const { return type == RAYCHECK_FLOAT32 ? sizeof(float) : sizeof(double); }
   /// Bytes from one element to the next along an axis of the result.
   py::ssize_t stride(std::size_t axis, std::size_t axes) const {
     if (axis + shape.size() < axes) return 0;

@@ -169,6 +169,24 @@ def test_values_enclose_the_rounded_ones():
     assert raycheck.errors(*call, is_hit=True, s=1.54).root == 1
 
 
+def test_errors_of_floats_are_in_their_own_units():
+    call = [np.float32(x) for x in ([1, 1, 3], [4, 3, 0], [5, 5, 5], 3)]
+    rounded = raycheck.round(*call)
+    assert rounded.s.dtype == rounded.point.dtype == np.float32
+    many = [np.broadcast_to(x, (4, *np.shape(x))) for x in call]
+    s, points = np.tile(rounded.s, 8)[::2], np.tile(rounded.point, (8, 1))[::2]
+    errors = raycheck.errors(*many, is_hit=np.ones(4, bool), s=s, points=points)
+    assert (errors.s_ulp <= 0.5).all() and (errors.point_u <= 1).all()
+    s = s + np.float32(2**-23)
+    assert (raycheck.errors(*many, is_hit=np.ones(4, bool), s=s).s_ulp >= 1).all()
+
+
+def test_a_hit_is_any_number_but_0():
+    call = [0, 0, 0], [0, 0, 1], [[0, 0, 5], [0, 9, 5]], 1
+    for hits in ([256, 0], [True, False], [0.5, 0.0], np.array([-(2**40), 0])):
+        assert raycheck.errors(*call, is_hit=hits).hit_class.tolist() == [0, 0]
+
+
 def test_an_image_is_that_of_its_pixels_rays():
     camera = raycheck.Camera([0, 0, 5], [0, 0, 0], [0, 1, 0], -1, -0.5, 0.5, -0.3, 0.3, 20, 12,
                              samples="centres", origin="focal")
