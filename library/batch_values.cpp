@@ -77,9 +77,7 @@ template <class IsWanted, class Put>
 void for_each_value(const Questions& asked, const IsWanted& is_wanted, const Put& put) {
   const Quantity last = asked.is_of_camera() ? Quantity::kPixelPoint : Quantity::kOrigin;
   for (const Quantity one : {Quantity::kParameter, Quantity::kPoint}) {
-    if (is_wanted(one) && asked.spheres() == 0 && asked.rays() > 0) {
-      throw wrong_array("centre", "has no spheres; s and Q need some");
-    }
+    if (is_wanted(one)) asked.require_spheres(asked.rays());
   }
   const auto visit = [&](std::size_t k, const Meeting* of, bool is_met) {
     for (const Quantity one : {Quantity::kParameter, Quantity::kPoint}) {
@@ -158,6 +156,7 @@ class ErrorsOf {
         excused_(integers(to.excused, "excused", asked.answers())),
         s_ulp_(numbers(to.s_ulp, "s_ulp", asked.answers())),
         point_u_(numbers(to.point_u, "point_u", asked.answers())) {
+    asked.require_spheres(asked.answers());
     if (is_hit_.first == nullptr && asked.answers() > 0) {
       throw wrong_array("is_hit", "has no data: give 1 for each hit and 0 for each miss");
     }
@@ -170,7 +169,8 @@ class ErrorsOf {
   }
 
   void judge() const {
-    if (asked_.is_usual() && asked_.spheres() > 0) {
+    if (asked_.answers() == 0) return;
+    if (asked_.is_usual()) {
       asked_.for_each_block(
           kBatchBlock, [this](std::size_t first, std::size_t count) { judge_block(first, count); });
       return asked_.require_none_invalid();

@@ -88,7 +88,8 @@ typedef struct raycheck_output {
   void* data;        ///< The first element; null: not wanted.
   size_t count;      ///< The number of elements.
   ptrdiff_t stride;  ///< As in raycheck_array.
-  int32_t type;      ///< A raycheck_type; integers for classes, roots, spheres and counts.
+  int32_t type;      ///< A raycheck_type; integers for classes and roots, and, of 32 or 64
+                     ///< bits, for spheres and ties.
 } raycheck_output;
 
 /// Where to write points or vectors.

@@ -447,8 +447,43 @@ TEST(Batch, RefusesArraysThatDoNotFit) {
   lacking = {};
   lacking.camera = &camera;
   EXPECT_TRUE(has(refused(&lacking, &spheres, &options, &to), "camera"));
+  EXPECT_EQ(refused(&rays, nullptr, &options, &to), "centre");
   EXPECT_EQ(many.hit_class[0], 77);  // nothing is written
   EXPECT_THROW(batch::check(RAYCHECK_INVALID_ARGUMENT), std::invalid_argument);
+}
+
+TEST(Batch, JudgesNothingWhereThereAreNoSpheres) {
+  Many many = hard_rays();
+  const raycheck_rays rays = many.given();
+  raycheck_options options = batch::options();
+  std::uint8_t hit = 1, wrong = 77;
+  raycheck_answers answers = {};
+  answers.is_hit = {&hit, 1, 0, RAYCHECK_UINT8};
+  raycheck_errors to = {};
+  to.hit_class = {&wrong, many.rays.size(), 0, RAYCHECK_UINT8};
+  EXPECT_EQ(raycheck_error_of(&rays, nullptr, &options, &answers, &to, &batch::error()),
+            RAYCHECK_INVALID_ARGUMENT);
+  EXPECT_STREQ(batch::error().array, "centre");
+  options.pairing = RAYCHECK_EACH_WITH_EVERY;
+  to.hit_class.count = 0;
+  EXPECT_EQ(raycheck_error_of(&rays, nullptr, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_EQ(wrong, 77);
+}
+
+TEST(Batch, RefusesBytesForIndicesAndCountsOfSpheres) {
+  Many many = hard_rays();
+  const raycheck_rays rays = many.given();
+  const raycheck_spheres spheres = many.balls();
+  const raycheck_options options = batch::options();
+  std::vector<std::uint8_t> bytes(many.rays.size());
+  for (const auto member : {&raycheck_seen::sphere, &raycheck_seen::ties}) {
+    raycheck_seen to = {};
+    to.*member = batch::output(bytes);
+    EXPECT_EQ(raycheck_nearest(&rays, &spheres, &options, &to, &batch::error()),
+              RAYCHECK_INVALID_ARGUMENT);
+    EXPECT_TRUE(has(batch::error().reason, "integers of 32 or 64 bits"));
+  }
 }
 
 /// The answers about nearest spheres.
@@ -562,8 +597,7 @@ TEST(Batch, CountsTheTiesOfDifferentSpheresInAnImage) {
   const raycheck_camera seen_by = in_c(camera);
   const raycheck_spheres balls = many.balls();
   const raycheck_options options = batch::options();
-  std::vector<std::uint8_t> ties(33 * 33);
-  std::vector<std::int64_t> sphere(33 * 33);
+  std::vector<std::int64_t> sphere(33 * 33), ties(33 * 33);
   raycheck_seen to = {};
   to.ties = batch::output(ties);
   to.sphere = batch::output(sphere);
