@@ -6,6 +6,7 @@
 #include "library/quantity.h"
 #include "properties/quantity.h"
 #include "reference/account/nearby_answer.h"
+#include "reference/account/nearby_choice.h"
 #include "reference/ray_error.h"
 
 namespace raycheck::library {
@@ -304,7 +305,8 @@ class ErrorsOf {
       return put(k, is_wrong, is_wrong && excused_ && is_excused(k, of, hit), false, 0, 0);
     }
     const double s = s_.first != nullptr ? s_.number(k) : 0;
-    const bool wrong_root = root_ && is_at_other_root(of.ray, of.sphere, of.at, s);
+    const bool wrong_root = root_ && is_at_other_root(of.ray, of.sphere, of.at, s) &&
+                            s != of.ray.rounded_parameter(of.sphere, of.at, precision_of(s_));
     const double s_error =
         s_ulp_ ? parameter_error(of.ray, of.sphere, of.at, s, precision_of(s_)).value : 0;
     const double point_error =
@@ -319,11 +321,15 @@ class ErrorsOf {
   bool is_excused(std::size_t k, const Meeting& of, bool hit) const {
     const scene::Conventions& conventions = asked_.conventions();
     const double change = properties::excused_change(unit_roundoff(precision_of(s_)));
-    const auto s = hit && s_.first != nullptr ? std::optional(s_.number(k)) : std::nullopt;
-    if (hit && !s) return false;
-    return right_nearby(of.ray, of.sphere,
-                        {conventions.root, conventions.tangent, change, conventions.valid}, s)
-               .found == reference::Nearby::kWitness;
+    const reference::Neighbourhood around{conventions.root, conventions.tangent, change,
+                                          conventions.valid};
+    const auto nearby = [&] {
+      if (!hit) return right_nearby(of.ray, of.sphere, around, std::nullopt);
+      if (s_.first != nullptr) return right_nearby(of.ray, of.sphere, around, s_.number(k));
+      const reference::FirstMet claim{reference::FirstMet::What::kSomething};
+      return right_nearby(of.ray, {&of.sphere, 1}, around, claim);
+    };
+    return nearby().found == reference::Nearby::kWitness;
   }
 
   const Questions& asked_;

@@ -97,6 +97,7 @@ Answers errors(QUESTION_ARGUMENTS, const Object& is_hit, const Object& s, const 
     const auto size = static_cast<size_t>(count);
     raycheck_answers answers = {};
     answers.is_hit = {first_hit + first, size, 0, RAYCHECK_UINT8};
+    answers.s.type = questions.type;  // the unit of excuses, if s is not given
     if (has_s) {
       answers.s = {given_s.data() + first * given_s.item(), size, 0, given_s.type};
     }

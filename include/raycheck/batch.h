@@ -175,14 +175,15 @@ typedef struct raycheck_values {
 /// The answers that raycheck_error_of() judges. Those without data are not judged.
 typedef struct raycheck_answers {
   raycheck_array is_hit;  ///< Integers; 0 is a miss. Required.
-  raycheck_array s;       ///< s of hits.
+  raycheck_array s;       ///< s of hits. Excuses count roundings of its type, even without data.
   raycheck_array3 point;  ///< Q of hits.
 } raycheck_answers;
 
 /// The errors of answers.
 typedef struct raycheck_errors {
   raycheck_output hit_class;  ///< 1: a miss is answered for a hit, or a hit for a miss; 0: right.
-  raycheck_output root;       ///< 1: s is nearer to the other root (by raycheck's rule); 0: not.
+  raycheck_output root;       ///< 1: s is nearer to the other root (by raycheck's rule), and is not
+                              ///< the rounded s; 0: not.
   raycheck_output excused;    ///< 1: a wrong class, but right for inputs a few roundings away.
   raycheck_output s_ulp;    ///< At least |s - exact s| / ulp(exact s); infinite if s is not finite.
   raycheck_output point_u;  ///< At least |Q - exact Q| / |exact Q|, in u = 2^-53 (floats: 2^-24).

@@ -776,5 +776,49 @@ TEST(Batch, JudgesTheAnswersOfOthers) {
   EXPECT_EQ(wrong[1], 0);
 }
 
+/// The roots are 1 and 1 - 2/(D^2 + 1), which rounds to 1, too, or to the number below.
+TEST(Batch, ConvictsNoRoundedRoot) {
+  Many two;
+  for (const double D : {0x1p28, 0x1p27}) two.add({{0, 0, 0}, {1, 0, D}}, {{0, 0, D}, 1});
+  ASSERT_EQ(two.decide(), RAYCHECK_OK);
+  EXPECT_EQ(two.root[0], 0);
+  const std::vector<double> s = {1, 1 - 0x1p-53};
+  const std::vector<std::uint8_t> hits = {1, 1};
+  EXPECT_EQ(two.s[0], s[0]);
+  const raycheck_rays rays = two.given();
+  const raycheck_spheres spheres = two.balls();
+  raycheck_answers answers = {};
+  answers.is_hit = batch::array(hits);
+  answers.s = batch::array(s);
+  std::vector<std::uint8_t> wrong(2, 77);
+  raycheck_errors to = {};
+  to.root = batch::output(wrong);
+  const raycheck_options options = batch::options();
+  ASSERT_EQ(raycheck_error_of(&rays, &spheres, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_EQ(wrong[0], 0);
+  EXPECT_EQ(wrong[1], 0);
+}
+
+/// Ray 0 passes the sphere at 2^-50, ray 1 at 1.
+TEST(Batch, ExcusesHitsWithoutTheirS) {
+  Many two;
+  for (const double gap : {0x1p-50, 1.0}) two.add({{0, 1 + gap, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
+  const std::vector<std::uint8_t> hits = {1, 1};
+  const raycheck_rays rays = two.given();
+  const raycheck_spheres spheres = two.balls();
+  raycheck_answers answers = {};
+  answers.is_hit = batch::array(hits);
+  std::vector<std::uint8_t> wrong(2), excused(2, 77);
+  raycheck_errors to = {};
+  to.hit_class = batch::output(wrong);
+  to.excused = batch::output(excused);
+  const raycheck_options options = batch::options();
+  ASSERT_EQ(raycheck_error_of(&rays, &spheres, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_EQ(wrong, (std::vector<std::uint8_t>{1, 1}));
+  EXPECT_EQ(excused, (std::vector<std::uint8_t>{1, 0}));
+}
+
 }  // namespace
 }  // namespace raycheck::tests

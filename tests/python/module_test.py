@@ -181,6 +181,14 @@ def test_errors_of_floats_are_in_their_own_units():
     assert (raycheck.errors(*many, is_hit=np.ones(4, bool), s=s).s_ulp >= 1).all()
 
 
+@pytest.mark.parametrize("kind, excused", [(np.float64, [0, 0]), (np.float32, [1, 0])])
+def test_hits_without_s_are_excused_by_roundings_of_the_inputs_type(kind, excused):
+    origins = np.array([[0, 1 + 2**-22, 0], [0, 2, 0]], kind)
+    call = origins, np.array([0, 0, 1], kind), np.array([0, 0, 5], kind), kind(1)
+    errors = raycheck.errors(*call, is_hit=[1, 1])
+    assert errors.hit_class.tolist() == [1, 1] and errors.excused.tolist() == excused
+
+
 def test_a_hit_is_any_number_but_0():
     call = [0, 0, 0], [0, 0, 1], [[0, 0, 5], [0, 9, 5]], 1
     for hits in ([256, 0], [True, False], [0.5, 0.0], np.array([-(2**40), 0])):
