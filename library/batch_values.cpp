@@ -288,7 +288,8 @@ class ErrorsOf {
       const double u = unit_roundoff(precision_of(point_.x));
       Q_error = std::sqrt(error_sq / size_sq) / u * kRoundings;
       const double doubt = std::sqrt(doubt_sq / size_sq) / u;
-      if (!(doubt < kSharp && Q_error < 0x1p300)) return false;
+      // The least |Q| is known to be above 2^-250, by its doubt, so that no square underflows.
+      if (!(doubt < kSharp && Q_error < 0x1p300 && size_sq < 0x1p1000)) return false;
     }
     put(k, false, false, false, s_error, Q_error);
     return true;

@@ -800,6 +800,28 @@ TEST(Batch, ConvictsNoRoundedRoot) {
   EXPECT_EQ(wrong[1], 0);
 }
 
+/// The square of |Q| is no double; the second answer is off by 2^-30 of it.
+TEST(Batch, MeasuresPointsThatAreFarFromTheOrigin) {
+  Many two;
+  for (int k = 0; k < 2; ++k) two.add({{0x1p530, 0, 0}, {0, 1, 0}}, {{0x1p530, 5, 0}, 1});
+  ASSERT_EQ(two.decide(), RAYCHECK_OK);
+  const std::vector<std::uint8_t> hits = {1, 1};
+  two.point[1] = {4, 0x1p500};
+  const raycheck_rays rays = two.given();
+  const raycheck_spheres spheres = two.balls();
+  raycheck_answers answers = {};
+  answers.is_hit = batch::array(hits);
+  answers.point = batch::array(two.point[0], two.point[1], two.point[2]);
+  std::vector<double> point_u(2);
+  raycheck_errors to = {};
+  to.point_u = batch::output(point_u);
+  const raycheck_options options = batch::options();
+  ASSERT_EQ(raycheck_error_of(&rays, &spheres, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_LE(point_u[0], 0x1p-12);
+  EXPECT_NEAR(point_u[1], 0x1p23, 0x1p8);
+}
+
 /// Ray 0 passes the sphere at 2^-50, ray 1 at 1.
 TEST(Batch, ExcusesHitsWithoutTheirS) {
   Many two;
