@@ -201,7 +201,8 @@ invalid: "raise" a ValueError for a NaN, a zero direction or a radius below 0, o
   define("enclose", &enclose, R"(The doubles around s, Q, D and P. Arguments as of decide().
 
 s_lower, s_upper (...); point_, direction_, pixel_point_ lower and upper (..., 3): neighbouring
-doubles, or equal if the number is a double. D is the direction of length 1, P the pixel's point,
+doubles, or, if the number is within 2^-70 of itself of a double, that double, perhaps with its
+neighbours. D is the direction of length 1, P the pixel's point,
 or the origin of a given ray.)");
   define("round", &values<&raycheck_round>, R"(s, point, direction and pixel_point, correctly
 rounded (ties to even) to the type of the answers. Arguments as of decide().)");

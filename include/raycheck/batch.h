@@ -154,8 +154,8 @@ typedef struct raycheck_seen {
   raycheck_output s_error;  ///< A certified bound on |s - the exact s|.
 } raycheck_seen;
 
-/// Lower and upper ends: neighbouring doubles, or equal if the number is a double. D and P have one
-/// answer for each ray.
+/// Lower and upper ends: neighbouring doubles; or, if the number is within 2^-70 of itself of a
+/// double, that double, perhaps with its neighbours. D and P have one answer for each ray.
 typedef struct raycheck_enclosed {
   raycheck_output s_lower, s_upper;                       ///< s
   raycheck_output3 point_lower, point_upper;              ///< Q
