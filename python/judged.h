@@ -112,8 +112,7 @@ struct Judged {
     const Shape numbers = {count}, points = {count, 3};
     py::object s, at;  // null if the function does not return them
     if (returns == Returns::hit) {
-      const auto pair =
-          py::isinstance<py::tuple>(answered) ? answered.cast<py::tuple>() : py::tuple();
+      const auto pair = py::isinstance<py::sequence>(answered) ? py::tuple(answered) : py::tuple();
       if (pair.size() != 2) throw py::type_error("the function must return (s, points)");
       s = answer(pair[0], "s", numbers);
       at = answer(pair[1], "points", points);

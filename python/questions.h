@@ -41,6 +41,10 @@ inline Camera camera(const std::array<double, 3>& eye, const std::array<double, 
                      double bottom, double top, int64_t width, int64_t height,
                      const std::string& rows, const std::string& samples,
                      const std::string& origin) {
+  for (const auto& [name, size] : {std::pair("width", width), std::pair("height", height)}) {
+    if (size >= 1) continue;
+    throw py::value_error(std::string(name) + " = " + std::to_string(size) + ": is below 1 pixel");
+  }
   constexpr std::array kRows = {"bottom-first", "top-first"};
   constexpr std::array kSamples = {"edges", "centres", "corners"};
   constexpr std::array kOrigins = {"pixel", "focal"};

@@ -800,7 +800,7 @@ TEST(Batch, ConvictsNoRoundedRoot) {
   EXPECT_EQ(wrong[1], 0);
 }
 
-/// The square of |Q| is no double; the second answer is off by 2^-30 of it.
+/// The square of |Q| overflows; the second answer is off by 2^-30 of |Q|.
 TEST(Batch, MeasuresPointsThatAreFarFromTheOrigin) {
   Many two;
   for (int k = 0; k < 2; ++k) two.add({{0x1p530, 0, 0}, {0, 1, 0}}, {{0x1p530, 5, 0}, 1});

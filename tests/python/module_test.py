@@ -195,6 +195,26 @@ def test_a_hit_is_any_number_but_0():
         assert raycheck.errors(*call, is_hit=hits).hit_class.tolist() == [0, 0]
 
 
+def test_values_are_those_of_their_names():
+    call = ([1, 1, 3], [4, 3, 1], [5, 5, 5], 3)
+    around, rounded, condition = (ask(*call) for ask in (raycheck.enclose, raycheck.round,
+                                                         raycheck.condition))
+    for name in ("s", "point", "direction", "pixel_point"):
+        value = getattr(rounded, name)
+        lower, upper = getattr(around, name + "_lower"), getattr(around, name + "_upper")
+        assert ((lower <= value) & (value <= upper) & (upper <= np.nextafter(lower, 9))).all()
+        assert np.isfinite(getattr(condition, name)).all()
+    assert (rounded.pixel_point == call[0]).all() and (condition.pixel_point == 1).all()
+    assert np.allclose(rounded.direction, np.array(call[1]) / np.sqrt(26), rtol=1e-15)
+    assert np.allclose(rounded.point, call[0] + rounded.s * np.array(call[1]), rtol=1e-15)
+
+
+@pytest.mark.parametrize("width, height", [(0, 5), (5, -1)])
+def test_a_camera_without_pixels_is_refused(width, height):
+    with pytest.raises(ValueError, match="(width = 0|height = -1): is below 1 pixel"):
+        raycheck.Camera([0, 0, 5], [0, 0, 0], [0, 1, 0], -1, -1, 1, -1, 1, width, height)
+
+
 def test_an_image_is_that_of_its_pixels_rays():
     camera = raycheck.Camera([0, 0, 5], [0, 0, 0], [0, 1, 0], -1, -0.5, 0.5, -0.3, 0.3, 20, 12,
                              samples="centres", origin="focal")
@@ -270,6 +290,7 @@ def test_functions_may_return_points_alone():
         return origins + s[:, None] * directions
 
     raycheck.testing.assert_right(points, returns="point")
+    raycheck.testing.assert_right(lambda *case: [textbook(*case), points(*case)], returns="hit")
     with pytest.raises(AssertionError, match="broken"):
         raycheck.testing.assert_right(lambda *case: points(*case) + 0.1, returns="point", cases=40)
 
@@ -278,8 +299,11 @@ def test_a_function_that_does_not_answer_is_said_to():
     verdict = raycheck.judge(lambda *_: 1, "class", cases=5)
     assert not verdict.passes
     assert "the function must return numbers of shape" in verdict.text
-    with pytest.raises(ValueError, match="none of these is about the function"):
-        raycheck.testing.assert_right(textbook, laws=["frame"])
+    for laws in ("frame", ["class", "nearest-rooot"]):
+        with pytest.raises(ValueError, match="does not apply to the function; class, "):
+            raycheck.testing.assert_right(textbook, laws=laws)
+    with pytest.raises(ValueError, match="level = hard: must be ordinary, demanding or extreme"):
+        raycheck.testing.rays_and_spheres("hard")
 
 
 @hypothesis.settings(max_examples=60, deadline=None, database=None)
