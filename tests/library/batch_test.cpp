@@ -456,11 +456,12 @@ TEST(Batch, JudgesNothingWhereThereAreNoSpheres) {
   Many many = hard_rays();
   const raycheck_rays rays = many.given();
   raycheck_options options = batch::options();
-  std::uint8_t hit = 1, wrong = 77;
+  const std::uint8_t hit = 1;
+  std::vector<std::uint8_t> wrong(many.rays.size(), 77);
   raycheck_answers answers = {};
   answers.is_hit = {&hit, 1, 0, RAYCHECK_UINT8};
   raycheck_errors to = {};
-  to.hit_class = {&wrong, many.rays.size(), 0, RAYCHECK_UINT8};
+  to.hit_class = batch::output(wrong);
   EXPECT_EQ(raycheck_error_of(&rays, nullptr, &options, &answers, &to, &batch::error()),
             RAYCHECK_INVALID_ARGUMENT);
   EXPECT_STREQ(batch::error().array, "centre");
@@ -468,11 +469,12 @@ TEST(Batch, JudgesNothingWhereThereAreNoSpheres) {
   to.hit_class.count = 0;
   EXPECT_EQ(raycheck_error_of(&rays, nullptr, &options, &answers, &to, &batch::error()),
             RAYCHECK_OK);
-  EXPECT_EQ(wrong, 77);
+  EXPECT_EQ(wrong, std::vector<std::uint8_t>(wrong.size(), 77));
 }
 
 TEST(Batch, RefusesBytesForIndicesAndCountsOfSpheres) {
-  Many many = hard_rays();
+  Many many;
+  many.add({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
   const raycheck_rays rays = many.given();
   const raycheck_spheres spheres = many.balls();
   const raycheck_options options = batch::options();
@@ -702,6 +704,54 @@ TEST(Batch, RoundsOnceToFloats) {
   EXPECT_EQ(s[0], std::nextafter(1.0F, 2.0F));
   EXPECT_EQ(low[0], 1.0F);
   EXPECT_EQ(high[0], std::nextafter(1.0F, 2.0F));
+}
+
+/// Bounds and condition numbers of floats are not below those of doubles.
+TEST(Batch, RoundsBoundsOfFloatsUp) {
+  const raycheck_camera camera = in_c(small_camera());
+  Many many;
+  many.spheres = some_spheres(12);
+  raycheck_spheres spheres = many.balls();
+  const raycheck_options options = batch::options();
+  const std::size_t pixels = 48 * 35;
+  std::vector<double> s(pixels), bound(pixels);
+  std::vector<float> s_single(pixels), bound_single(pixels);
+  raycheck_seen seen = {}, single = {};
+  seen.s = batch::output(s);
+  seen.s_error = batch::output(bound);
+  single.s = batch::output(s_single);
+  single.s_error = batch::output(bound_single);
+  ASSERT_EQ(raycheck_image(&camera, &spheres, &options, &seen, nullptr), RAYCHECK_OK);
+  ASSERT_EQ(raycheck_image(&camera, &spheres, &options, &single, nullptr), RAYCHECK_OK);
+  int seen_pixels = 0;
+  for (std::size_t k = 0; k < pixels; ++k) {
+    if (!std::isfinite(s[k])) continue;
+    ++seen_pixels;
+    ASSERT_GE(static_cast<double>(bound_single[k]),
+              std::abs(static_cast<double>(s_single[k]) - s[k]) + bound[k])
+        << k;
+  }
+  EXPECT_GT(seen_pixels, 80);
+  // The same bounds, whose s are doubles.
+  single.s = batch::output(s);
+  ASSERT_EQ(raycheck_image(&camera, &spheres, &options, &single, nullptr), RAYCHECK_OK);
+  for (std::size_t k = 0; k < pixels; ++k)
+    ASSERT_GE(static_cast<double>(bound_single[k]), bound[k]);
+  raycheck_rays rays = {};
+  rays.camera = &camera;
+  spheres.centre.count = spheres.radius.count = 1;
+  raycheck_values to = {}, to_single = {};
+  to.s = batch::output(bound);
+  to_single.s = batch::output(bound_single);
+  ASSERT_EQ(raycheck_condition(&rays, &spheres, &options, &to, nullptr), RAYCHECK_OK);
+  ASSERT_EQ(raycheck_condition(&rays, &spheres, &options, &to_single, nullptr), RAYCHECK_OK);
+  int hits = 0;
+  for (std::size_t k = 0; k < pixels; ++k) {
+    if (std::isnan(bound[k])) continue;
+    ++hits;
+    ASSERT_GE(static_cast<double>(bound_single[k]), bound[k]);
+  }
+  EXPECT_GT(hits, 5);
 }
 
 /// Errors are those that exact.h measures; wrong classes, roots and excuses are found.
