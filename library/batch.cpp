@@ -71,6 +71,7 @@ void put_values(const Block& block, const Target& s, const Target3& point, const
 
 void decide(const Questions& asked, const raycheck_decided& to) {
   const std::size_t answers = asked.answers();
+  asked.require_spheres(answers);
   const Target hit_class = integers(to.hit_class, "hit_class", answers);
   const Target root = integers(to.root, "root", answers);
   const Target s = numbers(to.s, "s", answers), s_error = numbers(to.s_error, "s_error", answers);
@@ -92,8 +93,8 @@ struct Seen {
   Target sphere, ties, s, s_error;
   Target3 point;
   Seen(const raycheck_seen& to, std::size_t count)
-      : sphere(integers(to.sphere, "sphere", count)),
-        ties(integers(to.ties, "ties", count)),
+      : sphere(indices(to.sphere, "sphere", count)),
+        ties(indices(to.ties, "ties", count)),
         s(numbers(to.s, "s", count)),
         s_error(numbers(to.s_error, "s_error", count)),
         point(numbers(to.point, "point", count)) {}

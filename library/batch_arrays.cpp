@@ -84,6 +84,12 @@ Target integers(const raycheck_output& to, const char* name, std::size_t count) 
   if (to.data != nullptr) require_integers(to, name, count);
   return {to.data, to};
 }
+Target indices(const raycheck_output& to, const char* name, std::size_t count) {
+  if (to.data != nullptr) {
+    require_type(to.type != RAYCHECK_UINT8, name, to.type, "integers of 32 or 64 bits (3 or 4)");
+  }
+  return integers(to, name, count);
+}
 Column numbers(const raycheck_array& from, const char* name, std::size_t count) {
   if (from.data != nullptr) require_floats(from, name, from.count == 1 ? 1 : count);
   return Column(from);
@@ -149,6 +155,12 @@ Questions::Questions(const raycheck_rays* rays, const raycheck_spheres* spheres,
     throw wrong_array("centre", fmt::format("has {} spheres for {} rays: give one, as many, or "
                                             "ask for each ray with every sphere",
                                             spheres_, rays_));
+  }
+}
+
+void Questions::require_spheres(std::size_t answers) const {
+  if (answers > 0 && spheres_ == 0) {
+    throw wrong_array("centre", "has no spheres; classes, s and Q need some");
   }
 }
 

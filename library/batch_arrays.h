@@ -230,6 +230,8 @@ class Questions {
     blocks_of_rays(most, 1, body);
   }
 
+  /// Errors: Refusal if there are answers about spheres, and no spheres.
+  void require_spheres(std::size_t answers) const;
   /// Notes a ray or a sphere if it is not valid.
   void note_ray(std::size_t ray) const;
   void note_sphere(std::size_t k) const;
@@ -297,6 +299,8 @@ const Struct& required(const Struct* to) {
 Target numbers(const raycheck_output& to, const char* name, std::size_t count);
 Target3 numbers(const raycheck_output3& to, const char* name, std::size_t count);
 Target integers(const raycheck_output& to, const char* name, std::size_t count);
+/// The same of numbers up to 2^31, and -1.
+Target indices(const raycheck_output& to, const char* name, std::size_t count);
 Column numbers(const raycheck_array& from, const char* name, std::size_t count);
 Column3 numbers(const raycheck_array3& from, const char* name, std::size_t count);
 Column integers(const raycheck_array& from, const char* name, std::size_t count);

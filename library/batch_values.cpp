@@ -6,6 +6,7 @@
 #include "library/quantity.h"
 #include "properties/quantity.h"
 #include "reference/account/nearby_answer.h"
+#include "reference/account/nearby_choice.h"
 #include "reference/ray_error.h"
 
 namespace raycheck::library {
@@ -77,9 +78,7 @@ template <class IsWanted, class Put>
 void for_each_value(const Questions& asked, const IsWanted& is_wanted, const Put& put) {
   const Quantity last = asked.is_of_camera() ? Quantity::kPixelPoint : Quantity::kOrigin;
   for (const Quantity one : {Quantity::kParameter, Quantity::kPoint}) {
-    if (is_wanted(one) && asked.spheres() == 0 && asked.rays() > 0) {
-      throw wrong_array("centre", "has no spheres; s and Q need some");
-    }
+    if (is_wanted(one)) asked.require_spheres(asked.rays());
   }
   const auto visit = [&](std::size_t k, const Meeting* of, bool is_met) {
     for (const Quantity one : {Quantity::kParameter, Quantity::kPoint}) {
@@ -158,6 +157,7 @@ class ErrorsOf {
         excused_(integers(to.excused, "excused", asked.answers())),
         s_ulp_(numbers(to.s_ulp, "s_ulp", asked.answers())),
         point_u_(numbers(to.point_u, "point_u", asked.answers())) {
+    asked.require_spheres(asked.answers());
     if (is_hit_.first == nullptr && asked.answers() > 0) {
       throw wrong_array("is_hit", "has no data: give 1 for each hit and 0 for each miss");
     }
@@ -170,7 +170,8 @@ class ErrorsOf {
   }
 
   void judge() const {
-    if (asked_.is_usual() && asked_.spheres() > 0) {
+    if (asked_.answers() == 0) return;
+    if (asked_.is_usual()) {
       asked_.for_each_block(
           kBatchBlock, [this](std::size_t first, std::size_t count) { judge_block(first, count); });
       return asked_.require_none_invalid();
@@ -287,7 +288,8 @@ class ErrorsOf {
       const double u = unit_roundoff(precision_of(point_.x));
       Q_error = std::sqrt(error_sq / size_sq) / u * kRoundings;
       const double doubt = std::sqrt(doubt_sq / size_sq) / u;
-      if (!(doubt < kSharp && Q_error < 0x1p300)) return false;
+      // The least |Q| is known to be above 2^-250, by its doubt, so that no square underflows.
+      if (!(doubt < kSharp && Q_error < 0x1p300 && size_sq < 0x1p1000)) return false;
     }
     put(k, false, false, false, s_error, Q_error);
     return true;
@@ -304,7 +306,8 @@ class ErrorsOf {
       return put(k, is_wrong, is_wrong && excused_ && is_excused(k, of, hit), false, 0, 0);
     }
     const double s = s_.first != nullptr ? s_.number(k) : 0;
-    const bool wrong_root = root_ && is_at_other_root(of.ray, of.sphere, of.at, s);
+    const bool wrong_root = root_ && is_at_other_root(of.ray, of.sphere, of.at, s) &&
+                            s != of.ray.rounded_parameter(of.sphere, of.at, precision_of(s_));
     const double s_error =
         s_ulp_ ? parameter_error(of.ray, of.sphere, of.at, s, precision_of(s_)).value : 0;
     const double point_error =
@@ -319,11 +322,15 @@ class ErrorsOf {
   bool is_excused(std::size_t k, const Meeting& of, bool hit) const {
     const scene::Conventions& conventions = asked_.conventions();
     const double change = properties::excused_change(unit_roundoff(precision_of(s_)));
-    const auto s = hit && s_.first != nullptr ? std::optional(s_.number(k)) : std::nullopt;
-    if (hit && !s) return false;
-    return right_nearby(of.ray, of.sphere,
-                        {conventions.root, conventions.tangent, change, conventions.valid}, s)
-               .found == reference::Nearby::kWitness;
+    const reference::Neighbourhood around{conventions.root, conventions.tangent, change,
+                                          conventions.valid};
+    const auto nearby = [&] {
+      if (!hit) return right_nearby(of.ray, of.sphere, around, std::nullopt);
+      if (s_.first != nullptr) return right_nearby(of.ray, of.sphere, around, s_.number(k));
+      const reference::FirstMet claim{reference::FirstMet::What::kSomething};
+      return right_nearby(of.ray, {&of.sphere, 1}, around, claim);
+    };
+    return nearby().found == reference::Nearby::kWitness;
   }
 
   const Questions& asked_;

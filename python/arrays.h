@@ -41,6 +41,7 @@ struct Operand {
   int32_t type = RAYCHECK_FLOAT64;
 
   const char* data() const { return static_cast<const char*>(array.data()); }
+  py::ssize_t item() const { return type == RAYCHECK_FLOAT32 ? sizeof(float) : sizeof(double); }
   /// Bytes from one element to the next along an axis of the result.
   py::ssize_t stride(std::size_t axis, std::size_t axes) const {
     if (axis + shape.size() < axes) return 0;
@@ -197,6 +198,7 @@ struct Made {
 inline raycheck_array part(const Operand& of, const Layout& in, py::ssize_t first,
                            py::ssize_t count) {
   const py::ssize_t stride = in.stride(of);
+  if (count == 0) return {of.data(), 0, stride, of.type};  // NumPy's strides are then 0
   return {of.data() + in.offset(of, first), stride == 0 ? 1 : static_cast<std::size_t>(count),
           stride, of.type};
 }

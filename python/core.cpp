@@ -57,25 +57,28 @@ Answers values(QUESTION_ARGUMENTS) {
                      auto* error) { return Function(&rays, &spheres, &options, &to, error); });
 }
 
-/// The answers of somebody's code, in the order of the result.
-py::array given_answers(const char* name, const Object& from, const Layout& in, bool is_point) {
-  const Operand given = operand(name, from, is_point);
+/// The answers of somebody's code, in the order of the result: floats stay floats, whose ulp is
+/// theirs.
+Operand given_answers(const char* name, const Object& from, const Layout& in, bool is_point) {
+  Operand given = operand(name, from, is_point);
   if (given.shape != in.shape) {
     throw py::value_error(std::string(name) + ": has the shape " + text(given.shape) +
                           ", the answers " + text(in.shape));
   }
-  return py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given.array);
+  given.array = py::array::ensure(given.array, py::array::c_style);
+  return given;
 }
 
 Answers errors(QUESTION_ARGUMENTS, const Object& is_hit, const Object& s, const Object& points) {
   const Questions questions(QUESTION);
   Asked<raycheck_errors> asked(questions);
   const Layout& in = asked.layout();
-  const auto hits = py::array_t<uint8_t, py::array::c_style | py::array::forcecast>::ensure(is_hit);
+  const auto hits = py::array_t<uint8_t, py::array::c_style>::ensure(
+      operand("is_hit", is_hit, false).array.attr("__ne__")(0));
   if (!hits || Shape(hits.shape(), hits.shape() + hits.ndim()) != in.shape) {
     throw py::value_error("is_hit: must have the shape of the answers, " + text(in.shape));
   }
-  py::array given_s, given_points;
+  Operand given_s, given_points;
   asked.number("hit_class", &raycheck_errors::hit_class, RAYCHECK_UINT8);
   asked.number("excused", &raycheck_errors::excused, RAYCHECK_UINT8);
   if (!s.is_none()) {
@@ -88,19 +91,20 @@ Answers errors(QUESTION_ARGUMENTS, const Object& is_hit, const Object& s, const 
     asked.number("point_u", &raycheck_errors::point_u);
   }
   const bool has_s = !s.is_none(), has_points = !points.is_none();
-  const auto* const first_s = has_s ? static_cast<const double*>(given_s.data()) : nullptr;
-  const auto* const first_point =
-      has_points ? static_cast<const double*>(given_points.data()) : nullptr;
   const uint8_t* const first_hit = hits.data();
   return asked.by([&](const auto& rays, const auto& spheres, const auto& options, py::ssize_t first,
                       py::ssize_t count, const auto& to, auto* error) {
     const auto size = static_cast<size_t>(count);
     raycheck_answers answers = {};
     answers.is_hit = {first_hit + first, size, 0, RAYCHECK_UINT8};
-    if (has_s) answers.s = {first_s + first, size, 0, RAYCHECK_FLOAT64};
+    answers.s.type = questions.type;  // the unit of excuses, if s is not given
+    if (has_s) {
+      answers.s = {given_s.data() + first * given_s.item(), size, 0, given_s.type};
+    }
     if (has_points) {
-      const double* const x = first_point + 3 * first;
-      answers.point = {x, x + 1, x + 2, size, 3 * sizeof(double), RAYCHECK_FLOAT64};
+      const py::ssize_t step = given_points.item();
+      const char* const x = given_points.data() + 3 * first * step;
+      answers.point = {x, x + step, x + 2 * step, size, 3 * step, given_points.type};
     }
     return raycheck_error_of(&rays, &spheres, &options, &answers, &to, error);
   });
@@ -122,16 +126,20 @@ Answers nearest(QUESTION_ARGUMENTS) {
   const Made sphere = made("sphere", RAYCHECK_INT32), ties = made("ties", RAYCHECK_INT32);
   const Made s = made("s", questions.type), s_error = made("s_error", questions.type);
   const Made point = made("point", questions.type, true);
-  questions.each_block(in, [&](py::ssize_t first, py::ssize_t count, raycheck_error* error) {
-    const raycheck_seen to = {sphere.part(first, count), ties.part(first, count),
-                              s.part(first, count), point.part3(first, count),
-                              s_error.part(first, count)};
-    if (is_image) {
-      return raycheck_image(&questions.camera->camera, &spheres, &questions.options, &to, error);
-    }
-    const raycheck_rays rays = questions.rays(in, first, count);
-    return raycheck_nearest(&rays, &spheres, &questions.options, &to, error);
-  });
+  questions.each_block(
+      in,
+      [&](py::ssize_t first, py::ssize_t count, raycheck_error* error) {
+        const raycheck_seen to = {sphere.part(first, count), ties.part(first, count),
+                                  s.part(first, count), point.part3(first, count),
+                                  s_error.part(first, count)};
+        if (is_image) {
+          return raycheck_image(&questions.camera->camera, &spheres, &questions.options, &to,
+                                error);
+        }
+        const raycheck_rays rays = questions.rays(in, first, count);
+        return raycheck_nearest(&rays, &spheres, &questions.options, &to, error);
+      },
+      true);
   return answers;
 }
 
@@ -193,7 +201,8 @@ invalid: "raise" a ValueError for a NaN, a zero direction or a radius below 0, o
   define("enclose", &enclose, R"(The doubles around s, Q, D and P. Arguments as of decide().
 
 s_lower, s_upper (...); point_, direction_, pixel_point_ lower and upper (..., 3): neighbouring
-doubles, or equal if the number is a double. D is the direction of length 1, P the pixel's point,
+doubles, or, if the number is within 2^-70 of itself of a double, that double, perhaps with its
+neighbours. D is the direction of length 1, P the pixel's point,
 or the origin of a given ray.)");
   define("round", &values<&raycheck_round>, R"(s, point, direction and pixel_point, correctly
 rounded (ties to even) to the type of the answers. Arguments as of decide().)");
@@ -201,7 +210,8 @@ rounded (ties to even) to the type of the answers. Arguments as of decide().)");
 direction and pixel_point: upper bounds, too large by at most 0.1%. Arguments as of decide().)");
   define("errors", &errors, R"(The errors of answers that were computed elsewhere.
 
-is_hit: (...) of bool or integers, s: (...), points: (..., 3), of the broadcast shape.
+is_hit: (...), 0 for a miss, s: (...), points: (..., 3), of the broadcast shape; ulp and u are those
+of their types, float64 or float32.
 hit_class  uint8: 1 if a hit is answered for a miss, or a miss for a hit
 excused    uint8: 1 if such an answer is right for inputs a few roundings away
 root       uint8: 1 if s is nearer to the other root

@@ -92,6 +92,10 @@ struct Judged {
     return given;
   }
 
+  static const double* numbers_of(const py::object& array) {
+    return static_cast<const double*>(py::reinterpret_borrow<py::array>(array).data());
+  }
+
   void ask(const Ray* rays, py::ssize_t count, const Sphere& sphere, Hit* hits,
            bool* is_hit) const {
     py::array_t<double> origins({count, py::ssize_t{3}}), directions({count, py::ssize_t{3}});
@@ -106,10 +110,9 @@ struct Judged {
     using Returns = raycheck::Returns;
     const Returns returns = candidate.returns;
     const Shape numbers = {count}, points = {count, 3};
-    py::array s, at;
+    py::object s, at;  // null if the function does not return them
     if (returns == Returns::hit) {
-      const auto pair =
-          py::isinstance<py::tuple>(answered) ? answered.cast<py::tuple>() : py::tuple();
+      const auto pair = py::isinstance<py::sequence>(answered) ? py::tuple(answered) : py::tuple();
       if (pair.size() != 2) throw py::type_error("the function must return (s, points)");
       s = answer(pair[0], "s", numbers);
       at = answer(pair[1], "points", points);
@@ -122,9 +125,9 @@ struct Judged {
     for (py::ssize_t k = 0; k < count; ++k) {
       Hit& hit = hits[k];
       hit = {};
-      if (s) hit.parameter = static_cast<const double*>(s.data())[k];
+      if (s) hit.parameter = numbers_of(s)[k];
       if (at) {
-        const double* const x = static_cast<const double*>(at.data()) + 3 * k;
+        const double* const x = numbers_of(at) + 3 * k;
         hit.point = {x[0], x[1], x[2]};
       }
       is_hit[k] = returns == Returns::class_only ? hit.parameter != 0

@@ -41,6 +41,10 @@ inline Camera camera(const std::array<double, 3>& eye, const std::array<double, 
                      double bottom, double top, int64_t width, int64_t height,
                      const std::string& rows, const std::string& samples,
                      const std::string& origin) {
+  for (const auto& [name, size] : {std::pair("width", width), std::pair("height", height)}) {
+    if (size >= 1) continue;
+    throw py::value_error(std::string(name) + " = " + std::to_string(size) + ": is below 1 pixel");
+  }
   constexpr std::array kRows = {"bottom-first", "top-first"};
   constexpr std::array kSamples = {"edges", "centres", "corners"};
   constexpr std::array kOrigins = {"pixel", "focal"};
@@ -138,7 +142,9 @@ struct Questions {
   }
 
   /// Raises the exception for a failed call, whose answers start at a flat index.
-  void check(int32_t code, const raycheck_error& error, const Layout& in, py::ssize_t first) const {
+  /// `is_list`: all answers are about all spheres, whose own index the error has.
+  void check(int32_t code, const raycheck_error& error, const Layout& in, py::ssize_t first,
+             bool is_list) const {
     if (code == RAYCHECK_OK || (code == RAYCHECK_INVALID_INPUT && !raises)) return;
     if (code == RAYCHECK_OUT_OF_MEMORY) throw std::bad_alloc();
     std::string array = error.array;
@@ -146,7 +152,6 @@ struct Questions {
       const auto at = first + static_cast<py::ssize_t>(error.index);
       if (array == "origin") array = "origins" + in.place(origin, at);
       if (array == "direction") array = "directions" + in.place(direction, at);
-      const bool is_list = in.shape.size() < centre.shape.size();
       const std::string own = "[" + std::to_string(error.index) + "]";
       if (array == "centre") array = "centres" + (is_list ? own : in.place(centre, at));
       if (array == "radius") array = "radii" + (is_list ? own : in.place(radius, at));
@@ -158,7 +163,7 @@ struct Questions {
 
   /// Calls `ask(first, count, error)` for each run, in blocks, without the interpreter's lock.
   template <class Ask>
-  void each_block(const Layout& in, const Ask& ask) const {
+  void each_block(const Layout& in, const Ask& ask, bool is_list = false) const {
     const py::ssize_t most = camera == nullptr ? std::min(in.run, kBlock) : in.run;
     for (py::ssize_t first = 0; first < in.count;) {
       const py::ssize_t count = std::min(most, in.run - first % in.run);
@@ -168,7 +173,7 @@ struct Questions {
         const py::gil_scoped_release release;
         code = ask(first, count, &error);
       }
-      check(code, error, in, first);
+      check(code, error, in, first, is_list);
       first += count;
       if (first < in.count && PyErr_CheckSignals() != 0) throw py::error_already_set();
     }

@@ -88,7 +88,8 @@ typedef struct raycheck_output {
   void* data;        ///< The first element; null: not wanted.
   size_t count;      ///< The number of elements.
   ptrdiff_t stride;  ///< As in raycheck_array.
-  int32_t type;      ///< A raycheck_type; integers for classes, roots, spheres and counts.
+  int32_t type;      ///< A raycheck_type; integers for classes and roots, and, of 32 or 64
+                     ///< bits, for spheres and ties.
 } raycheck_output;
 
 /// Where to write points or vectors.
@@ -153,8 +154,8 @@ typedef struct raycheck_seen {
   raycheck_output s_error;  ///< A certified bound on |s - the exact s|.
 } raycheck_seen;
 
-/// Lower and upper ends: neighbouring doubles, or equal if the number is a double. D and P have one
-/// answer for each ray.
+/// Lower and upper ends: neighbouring doubles; or, if the number is within 2^-70 of itself of a
+/// double, that double, perhaps with its neighbours. D and P have one answer for each ray.
 typedef struct raycheck_enclosed {
   raycheck_output s_lower, s_upper;                       ///< s
   raycheck_output3 point_lower, point_upper;              ///< Q
@@ -174,14 +175,15 @@ typedef struct raycheck_values {
 /// The answers that raycheck_error_of() judges. Those without data are not judged.
 typedef struct raycheck_answers {
   raycheck_array is_hit;  ///< Integers; 0 is a miss. Required.
-  raycheck_array s;       ///< s of hits.
+  raycheck_array s;       ///< s of hits. Excuses count roundings of its type, even without data.
   raycheck_array3 point;  ///< Q of hits.
 } raycheck_answers;
 
 /// The errors of answers.
 typedef struct raycheck_errors {
   raycheck_output hit_class;  ///< 1: a miss is answered for a hit, or a hit for a miss; 0: right.
-  raycheck_output root;       ///< 1: s is nearer to the other root (by raycheck's rule); 0: not.
+  raycheck_output root;       ///< 1: s is nearer to the other root (by raycheck's rule), and is not
+                              ///< the rounded s; 0: not.
   raycheck_output excused;    ///< 1: a wrong class, but right for inputs a few roundings away.
   raycheck_output s_ulp;    ///< At least |s - exact s| / ulp(exact s); infinite if s is not finite.
   raycheck_output point_u;  ///< At least |Q - exact Q| / |exact Q|, in u = 2^-53 (floats: 2^-24).

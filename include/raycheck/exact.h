@@ -36,7 +36,8 @@ class RAYCHECK_API Number {
  public:
   /// The correctly rounded number: to nearest, ties to even; infinite beyond the largest double.
   [[nodiscard]] double rounded() const;
-  /// The neighbouring doubles. If the number is a double, both are equal to it.
+  /// The neighbouring doubles; or, if the number is within 2^-70 of itself of a double, that
+  /// double, perhaps with its neighbours.
   [[nodiscard]] Interval interval() const;
   /// Decimals with a radius: "[2.6180339887498948482 +/- 4.6e-20]". The radius is at most 2^-bits
   /// of the number. Domain: 2 <= bits <= 100,000; otherwise throws std::invalid_argument.

@@ -9,12 +9,14 @@ from raycheck.judging import candidate
 def assert_right(function, *, cases=500, seed=1, laws=None, **promises):
     """Raises AssertionError, with the shrunk case, unless the function passes all laws about it.
 
-    promises: as of raycheck.judging.candidate(); laws: names, to leave out others.
+    promises: as of raycheck.judging.candidate(). laws: names of those that are judged; None: all.
     """
     asked = candidate(function, **promises)
-    names = dict.fromkeys(law for law, _ in asked.checks() if laws is None or law in laws)
-    if not names:
-        raise ValueError(f"laws = {laws}: none of these is about the function")
+    known = dict.fromkeys(law for law, _ in asked.checks())
+    names = list(known) if laws is None else [laws] if isinstance(laws, str) else list(laws)
+    for law in names:
+        if law not in known:
+            raise ValueError(f"laws: {law} does not apply to the function; {', '.join(known)} do")
     verdicts = [asked.judge(law, "", cases, seed) for law in names]
     broken = [verdict.text for verdict in verdicts if not verdict.passes]
     if broken:
@@ -32,7 +34,10 @@ def rays_and_spheres(level="ordinary"):
     """
     from hypothesis import strategies
 
-    place = ("ordinary", "demanding", "extreme").index(level)
+    levels = ("ordinary", "demanding", "extreme")
+    if level not in levels:
+        raise ValueError(f"level = {level}: must be {', '.join(levels[:-1])} or {levels[-1]}")
+    place = levels.index(level)
     sources = []
     for name, _, has_camera, dial, highest, ordinary, demanding in _core.sources():
         if has_camera or (not dial and place < 2):

@@ -447,8 +447,45 @@ TEST(Batch, RefusesArraysThatDoNotFit) {
   lacking = {};
   lacking.camera = &camera;
   EXPECT_TRUE(has(refused(&lacking, &spheres, &options, &to), "camera"));
+  EXPECT_EQ(refused(&rays, nullptr, &options, &to), "centre");
   EXPECT_EQ(many.hit_class[0], 77);  // nothing is written
   EXPECT_THROW(batch::check(RAYCHECK_INVALID_ARGUMENT), std::invalid_argument);
+}
+
+TEST(Batch, JudgesNothingWhereThereAreNoSpheres) {
+  Many many = hard_rays();
+  const raycheck_rays rays = many.given();
+  raycheck_options options = batch::options();
+  const std::uint8_t hit = 1;
+  std::vector<std::uint8_t> wrong(many.rays.size(), 77);
+  raycheck_answers answers = {};
+  answers.is_hit = {&hit, 1, 0, RAYCHECK_UINT8};
+  raycheck_errors to = {};
+  to.hit_class = batch::output(wrong);
+  EXPECT_EQ(raycheck_error_of(&rays, nullptr, &options, &answers, &to, &batch::error()),
+            RAYCHECK_INVALID_ARGUMENT);
+  EXPECT_STREQ(batch::error().array, "centre");
+  options.pairing = RAYCHECK_EACH_WITH_EVERY;
+  to.hit_class.count = 0;
+  EXPECT_EQ(raycheck_error_of(&rays, nullptr, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_EQ(wrong, std::vector<std::uint8_t>(wrong.size(), 77));
+}
+
+TEST(Batch, RefusesBytesForIndicesAndCountsOfSpheres) {
+  Many many;
+  many.add({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
+  const raycheck_rays rays = many.given();
+  const raycheck_spheres spheres = many.balls();
+  const raycheck_options options = batch::options();
+  std::vector<std::uint8_t> bytes(many.rays.size());
+  for (const auto member : {&raycheck_seen::sphere, &raycheck_seen::ties}) {
+    raycheck_seen to = {};
+    to.*member = batch::output(bytes);
+    EXPECT_EQ(raycheck_nearest(&rays, &spheres, &options, &to, &batch::error()),
+              RAYCHECK_INVALID_ARGUMENT);
+    EXPECT_TRUE(has(batch::error().reason, "integers of 32 or 64 bits"));
+  }
 }
 
 /// The answers about nearest spheres.
@@ -562,8 +599,7 @@ TEST(Batch, CountsTheTiesOfDifferentSpheresInAnImage) {
   const raycheck_camera seen_by = in_c(camera);
   const raycheck_spheres balls = many.balls();
   const raycheck_options options = batch::options();
-  std::vector<std::uint8_t> ties(33 * 33);
-  std::vector<std::int64_t> sphere(33 * 33);
+  std::vector<std::int64_t> sphere(33 * 33), ties(33 * 33);
   raycheck_seen to = {};
   to.ties = batch::output(ties);
   to.sphere = batch::output(sphere);
@@ -670,6 +706,54 @@ TEST(Batch, RoundsOnceToFloats) {
   EXPECT_EQ(high[0], std::nextafter(1.0F, 2.0F));
 }
 
+/// Bounds and condition numbers of floats are not below those of doubles.
+TEST(Batch, RoundsBoundsOfFloatsUp) {
+  const raycheck_camera camera = in_c(small_camera());
+  Many many;
+  many.spheres = some_spheres(12);
+  raycheck_spheres spheres = many.balls();
+  const raycheck_options options = batch::options();
+  const std::size_t pixels = 48 * 35;
+  std::vector<double> s(pixels), bound(pixels);
+  std::vector<float> s_single(pixels), bound_single(pixels);
+  raycheck_seen seen = {}, single = {};
+  seen.s = batch::output(s);
+  seen.s_error = batch::output(bound);
+  single.s = batch::output(s_single);
+  single.s_error = batch::output(bound_single);
+  ASSERT_EQ(raycheck_image(&camera, &spheres, &options, &seen, nullptr), RAYCHECK_OK);
+  ASSERT_EQ(raycheck_image(&camera, &spheres, &options, &single, nullptr), RAYCHECK_OK);
+  int seen_pixels = 0;
+  for (std::size_t k = 0; k < pixels; ++k) {
+    if (!std::isfinite(s[k])) continue;
+    ++seen_pixels;
+    ASSERT_GE(static_cast<double>(bound_single[k]),
+              std::abs(static_cast<double>(s_single[k]) - s[k]) + bound[k])
+        << k;
+  }
+  EXPECT_GT(seen_pixels, 80);
+  // The same bounds, whose s are doubles.
+  single.s = batch::output(s);
+  ASSERT_EQ(raycheck_image(&camera, &spheres, &options, &single, nullptr), RAYCHECK_OK);
+  for (std::size_t k = 0; k < pixels; ++k)
+    ASSERT_GE(static_cast<double>(bound_single[k]), bound[k]);
+  raycheck_rays rays = {};
+  rays.camera = &camera;
+  spheres.centre.count = spheres.radius.count = 1;
+  raycheck_values to = {}, to_single = {};
+  to.s = batch::output(bound);
+  to_single.s = batch::output(bound_single);
+  ASSERT_EQ(raycheck_condition(&rays, &spheres, &options, &to, nullptr), RAYCHECK_OK);
+  ASSERT_EQ(raycheck_condition(&rays, &spheres, &options, &to_single, nullptr), RAYCHECK_OK);
+  int hits = 0;
+  for (std::size_t k = 0; k < pixels; ++k) {
+    if (std::isnan(bound[k])) continue;
+    ++hits;
+    ASSERT_GE(static_cast<double>(bound_single[k]), bound[k]);
+  }
+  EXPECT_GT(hits, 5);
+}
+
 /// Errors are those that exact.h measures; wrong classes, roots and excuses are found.
 TEST(Batch, JudgesTheAnswersOfOthers) {
   Many many = hard_rays();
@@ -740,6 +824,72 @@ TEST(Batch, JudgesTheAnswersOfOthers) {
             RAYCHECK_OK);
   EXPECT_EQ(wrong[0], 1);
   EXPECT_EQ(wrong[1], 0);
+}
+
+/// The roots are 1 and 1 - 2/(D^2 + 1), which rounds to 1, too, or to the number below.
+TEST(Batch, ConvictsNoRoundedRoot) {
+  Many two;
+  for (const double D : {0x1p28, 0x1p27}) two.add({{0, 0, 0}, {1, 0, D}}, {{0, 0, D}, 1});
+  ASSERT_EQ(two.decide(), RAYCHECK_OK);
+  EXPECT_EQ(two.root[0], 0);
+  const std::vector<double> s = {1, 1 - 0x1p-53};
+  const std::vector<std::uint8_t> hits = {1, 1};
+  EXPECT_EQ(two.s[0], s[0]);
+  const raycheck_rays rays = two.given();
+  const raycheck_spheres spheres = two.balls();
+  raycheck_answers answers = {};
+  answers.is_hit = batch::array(hits);
+  answers.s = batch::array(s);
+  std::vector<std::uint8_t> wrong(2, 77);
+  raycheck_errors to = {};
+  to.root = batch::output(wrong);
+  const raycheck_options options = batch::options();
+  ASSERT_EQ(raycheck_error_of(&rays, &spheres, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_EQ(wrong[0], 0);
+  EXPECT_EQ(wrong[1], 0);
+}
+
+/// The square of |Q| overflows; the second answer is off by 2^-30 of |Q|.
+TEST(Batch, MeasuresPointsThatAreFarFromTheOrigin) {
+  Many two;
+  for (int k = 0; k < 2; ++k) two.add({{0x1p530, 0, 0}, {0, 1, 0}}, {{0x1p530, 5, 0}, 1});
+  ASSERT_EQ(two.decide(), RAYCHECK_OK);
+  const std::vector<std::uint8_t> hits = {1, 1};
+  two.point[1] = {4, 0x1p500};
+  const raycheck_rays rays = two.given();
+  const raycheck_spheres spheres = two.balls();
+  raycheck_answers answers = {};
+  answers.is_hit = batch::array(hits);
+  answers.point = batch::array(two.point[0], two.point[1], two.point[2]);
+  std::vector<double> point_u(2);
+  raycheck_errors to = {};
+  to.point_u = batch::output(point_u);
+  const raycheck_options options = batch::options();
+  ASSERT_EQ(raycheck_error_of(&rays, &spheres, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_LE(point_u[0], 0x1p-12);
+  EXPECT_NEAR(point_u[1], 0x1p23, 0x1p8);
+}
+
+/// Ray 0 passes the sphere at 2^-50, ray 1 at 1.
+TEST(Batch, ExcusesHitsWithoutTheirS) {
+  Many two;
+  for (const double gap : {0x1p-50, 1.0}) two.add({{0, 1 + gap, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
+  const std::vector<std::uint8_t> hits = {1, 1};
+  const raycheck_rays rays = two.given();
+  const raycheck_spheres spheres = two.balls();
+  raycheck_answers answers = {};
+  answers.is_hit = batch::array(hits);
+  std::vector<std::uint8_t> wrong(2), excused(2, 77);
+  raycheck_errors to = {};
+  to.hit_class = batch::output(wrong);
+  to.excused = batch::output(excused);
+  const raycheck_options options = batch::options();
+  ASSERT_EQ(raycheck_error_of(&rays, &spheres, &options, &answers, &to, &batch::error()),
+            RAYCHECK_OK);
+  EXPECT_EQ(wrong, (std::vector<std::uint8_t>{1, 1}));
+  EXPECT_EQ(excused, (std::vector<std::uint8_t>{1, 0}));
 }
 
 }  // namespace

@@ -103,6 +103,13 @@ def test_one_ray_meets_many_spheres():
     assert (seen.sphere.tolist(), seen.ties.tolist()) == ([0, -1], [1, 0])
 
 
+@pytest.mark.parametrize("radii", [np.zeros(0), 1])
+def test_no_spheres_are_seen_where_there_are_none(radii):
+    seen = raycheck.nearest(np.zeros((2, 3)), [0, 0, 1], np.zeros((0, 3)), radii)
+    assert seen.sphere.tolist() == [-1, -1] and seen.ties.tolist() == [0, 0]
+    assert np.isinf(seen.s).all() and np.isinf(seen.point).all()
+
+
 def test_other_numbers_are_converted():
     big = np.array([0, 0, 5], ">f8")
     for centre in ([0, 0, 5], big, big.astype("f2"), big.astype("i8")):
@@ -120,6 +127,17 @@ def test_other_numbers_are_converted():
 def test_what_is_wrong_is_named(arguments, message):
     with pytest.raises(ValueError, match=message):
         raycheck.decide(*arguments)
+
+
+@pytest.mark.parametrize("rays", [(), (2,), (40,)])
+def test_a_sphere_of_a_list_is_named_by_its_own_index(rays):
+    centres = np.full((50, 3), 9.0)
+    centres[30, 1] = np.nan
+    with pytest.raises(ValueError, match=r"centres\[30\]: \[9, nan, 9\] is not finite"):
+        raycheck.nearest(np.zeros((*rays, 3)), [0, 0, 1], centres, 1)
+    with pytest.raises(ValueError, match=r"radii\[31\]: -1 is negative"):
+        raycheck.nearest(np.zeros((*rays, 3)), [0, 0, 1], np.ones((50, 3)),
+                         np.where(np.arange(50) == 31, -1, 1))
 
 
 def test_numbers_that_are_not_numbers_are_refused_or_nan():
@@ -149,6 +167,52 @@ def test_values_enclose_the_rounded_ones():
     assert errors.s_ulp <= 0.5 and errors.hit_class == 0
     assert raycheck.errors(*call, is_hit=False).hit_class == 1
     assert raycheck.errors(*call, is_hit=True, s=1.54).root == 1
+
+
+def test_errors_of_floats_are_in_their_own_units():
+    call = [np.float32(x) for x in ([1, 1, 3], [4, 3, 0], [5, 5, 5], 3)]
+    rounded = raycheck.round(*call)
+    assert rounded.s.dtype == rounded.point.dtype == np.float32
+    many = [np.broadcast_to(x, (4, *np.shape(x))) for x in call]
+    s, points = np.tile(rounded.s, 8)[::2], np.tile(rounded.point, (8, 1))[::2]
+    errors = raycheck.errors(*many, is_hit=np.ones(4, bool), s=s, points=points)
+    assert (errors.s_ulp <= 0.5).all() and (errors.point_u <= 1).all()
+    s = s + np.float32(2**-23)
+    assert (raycheck.errors(*many, is_hit=np.ones(4, bool), s=s).s_ulp >= 1).all()
+
+
+@pytest.mark.parametrize("kind, excused", [(np.float64, [0, 0]), (np.float32, [1, 0])])
+def test_hits_without_s_are_excused_by_roundings_of_the_inputs_type(kind, excused):
+    origins = np.array([[0, 1 + 2**-22, 0], [0, 2, 0]], kind)
+    call = origins, np.array([0, 0, 1], kind), np.array([0, 0, 5], kind), kind(1)
+    errors = raycheck.errors(*call, is_hit=[1, 1])
+    assert errors.hit_class.tolist() == [1, 1] and errors.excused.tolist() == excused
+
+
+def test_a_hit_is_any_number_but_0():
+    call = [0, 0, 0], [0, 0, 1], [[0, 0, 5], [0, 9, 5]], 1
+    for hits in ([256, 0], [True, False], [0.5, 0.0], np.array([-(2**40), 0])):
+        assert raycheck.errors(*call, is_hit=hits).hit_class.tolist() == [0, 0]
+
+
+def test_values_are_those_of_their_names():
+    call = ([1, 1, 3], [4, 3, 1], [5, 5, 5], 3)
+    around, rounded, condition = (ask(*call) for ask in (raycheck.enclose, raycheck.round,
+                                                         raycheck.condition))
+    for name in ("s", "point", "direction", "pixel_point"):
+        value = getattr(rounded, name)
+        lower, upper = getattr(around, name + "_lower"), getattr(around, name + "_upper")
+        assert ((lower <= value) & (value <= upper) & (upper <= np.nextafter(lower, 9))).all()
+        assert np.isfinite(getattr(condition, name)).all()
+    assert (rounded.pixel_point == call[0]).all() and (condition.pixel_point == 1).all()
+    assert np.allclose(rounded.direction, np.array(call[1]) / np.sqrt(26), rtol=1e-15)
+    assert np.allclose(rounded.point, call[0] + rounded.s * np.array(call[1]), rtol=1e-15)
+
+
+@pytest.mark.parametrize("width, height", [(0, 5), (5, -1)])
+def test_a_camera_without_pixels_is_refused(width, height):
+    with pytest.raises(ValueError, match="(width = 0|height = -1): is below 1 pixel"):
+        raycheck.Camera([0, 0, 5], [0, 0, 0], [0, 1, 0], -1, -1, 1, -1, 1, width, height)
 
 
 def test_an_image_is_that_of_its_pixels_rays():
@@ -220,12 +284,26 @@ def test_right_functions_pass_and_wrong_ones_are_shown():
     assert not never.passes and never.shrunk["origins"].shape == (1, 3)
 
 
+def test_functions_may_return_points_alone():
+    def points(origins, directions, centre, radius):
+        s = textbook(origins, directions, centre, radius)
+        return origins + s[:, None] * directions
+
+    raycheck.testing.assert_right(points, returns="point")
+    raycheck.testing.assert_right(lambda *case: [textbook(*case), points(*case)], returns="hit")
+    with pytest.raises(AssertionError, match="broken"):
+        raycheck.testing.assert_right(lambda *case: points(*case) + 0.1, returns="point", cases=40)
+
+
 def test_a_function_that_does_not_answer_is_said_to():
     verdict = raycheck.judge(lambda *_: 1, "class", cases=5)
     assert not verdict.passes
     assert "the function must return numbers of shape" in verdict.text
-    with pytest.raises(ValueError, match="none of these is about the function"):
-        raycheck.testing.assert_right(textbook, laws=["frame"])
+    for laws in ("frame", ["class", "nearest-rooot"]):
+        with pytest.raises(ValueError, match="does not apply to the function; class, "):
+            raycheck.testing.assert_right(textbook, laws=laws)
+    with pytest.raises(ValueError, match="level = hard: must be ordinary, demanding or extreme"):
+        raycheck.testing.rays_and_spheres("hard")
 
 
 @hypothesis.settings(max_examples=60, deadline=None, database=None)
