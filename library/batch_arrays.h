@@ -272,7 +272,7 @@ void on_threads(std::size_t threads, std::size_t count, const Body& body) {
   std::vector<std::thread> others;
   try {
     for (std::size_t k = 1; k < std::min(threads, count); ++k) others.emplace_back(work);
-  } catch (const std::system_error&) {  // fewer threads do the work
+  } catch (const std::exception&) {  // fewer threads do the work
   }
   work();
   for (std::thread& one : others) one.join();

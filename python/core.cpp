@@ -23,9 +23,7 @@ Answers decide(QUESTION_ARGUMENTS, bool points) {
     asked.point("point", &raycheck_decided::point);
     asked.point("point_error", &raycheck_decided::point_error);
   }
-  return asked.by(
-      [](const auto& rays, const auto& spheres, const auto& options, auto, auto, const auto& to,
-         auto* error) { return raycheck_decide(&rays, &spheres, &options, &to, error); });
+  return asked.by<raycheck_decide>();
 }
 
 Answers enclose(QUESTION_ARGUMENTS) {
@@ -39,9 +37,7 @@ Answers enclose(QUESTION_ARGUMENTS) {
   asked.point("direction_upper", &raycheck_enclosed::direction_upper);
   asked.point("pixel_point_lower", &raycheck_enclosed::pixel_point_lower);
   asked.point("pixel_point_upper", &raycheck_enclosed::pixel_point_upper);
-  return asked.by(
-      [](const auto& rays, const auto& spheres, const auto& options, auto, auto, const auto& to,
-         auto* error) { return raycheck_enclose(&rays, &spheres, &options, &to, error); });
+  return asked.by<raycheck_enclose>();
 }
 
 template <auto Function>
@@ -52,9 +48,7 @@ Answers values(QUESTION_ARGUMENTS) {
   asked.point("point", &raycheck_values::point);
   asked.point("direction", &raycheck_values::direction);
   asked.point("pixel_point", &raycheck_values::pixel_point);
-  return asked.by([](const auto& rays, const auto& spheres, const auto& options, auto, auto,
-                     const auto& to,
-                     auto* error) { return Function(&rays, &spheres, &options, &to, error); });
+  return asked.by<Function>();
 }
 
 /// The answers of somebody's code, in the order of the result: floats stay floats, whose ulp is

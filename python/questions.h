@@ -213,6 +213,13 @@ class Asked {
     });
     return std::move(answers_);
   }
+  /// By a function of raycheck/batch.h that takes rays, spheres and options.
+  template <auto Function>
+  Answers by() {
+    return by(
+        [](const auto& rays, const auto& spheres, const auto& options, auto, auto, const Struct& to,
+           raycheck_error* error) { return Function(&rays, &spheres, &options, &to, error); });
+  }
   const Layout& layout() const { return in_; }
 
  private:
