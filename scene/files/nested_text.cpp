@@ -175,7 +175,7 @@ class XmlReader {
       if (failure_) std::rethrow_exception(failure_);
       if (status != XML_STATUS_OK) {
         located_.fail(
-            XML_GetCurrentLineNumber(parser_.get()), "XML",
+            line(), "XML",
             std::string("is not valid: ") + XML_ErrorString(XML_GetErrorCode(parser_.get())));
       }
       if (is_last) return;
@@ -197,6 +197,14 @@ class XmlReader {
     if (--reader.depth_ > 1) reader.rows_.leave();
   }
 
+  std::size_t line() const {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+    return XML_GetCurrentLineNumber64(parser_.get());
+#else
+    return XML_GetCurrentLineNumber(parser_.get());
+#endif
+  }
+
   /// Elements below the root are blocks; an element with a name in one goes by it.
   void start(std::string_view tag, const char** attributes) {
     if (depth_++ == 0) return;
@@ -207,7 +215,7 @@ class XmlReader {
       return std::string(node.empty() ? otherwise : node.mapped()) + " ";
     };
     const bool is_block = depth_ == 2;
-    const std::size_t line = XML_GetCurrentLineNumber(parser_.get());
+    const std::size_t line = this->line();
     rows_.enter(!is_block && given.contains("name") ? given.extract("name").mapped() : tag);
     rows_.add(take("type", "") + take("name", "") + take("value", ""), line, is_block);
     if (given.contains("x") || given.contains("y") || given.contains("z")) {
