@@ -1,4 +1,4 @@
-// Enclosures, rounded values, condition numbers and the errors of others' answers in arrays are
+// Enclosures, rounded values, condition numbers and the errors of given answers in arrays are
 // those of exact.h.
 
 #include "tests/library/batch.h"
