@@ -166,6 +166,8 @@ PYBIND11_MODULE(_core, module) {
              throw py::attribute_error("there is no answer " + name.cast<std::string>());
            })
       .def("__dir__", [](const Answers& of) { return py::list(of.arrays); })
+      .def(py::pickle([](const Answers& of) { return of.arrays; },
+                      [](const py::dict& arrays) { return Answers{arrays}; }))
       .def("__repr__", [](const Answers& of) {
         return "Answers(" +
                py::str(py::str(", ").attr("join")(py::list(of.arrays))).cast<std::string>() + ")";

@@ -1,5 +1,6 @@
 """The module raycheck for NumPy: answers against rational arithmetic, shapes, errors, judging."""
 
+import pickle
 import signal
 import threading
 import time
@@ -207,6 +208,12 @@ def test_values_are_those_of_their_names():
     assert (rounded.pixel_point == call[0]).all() and (condition.pixel_point == 1).all()
     assert np.allclose(rounded.direction, np.array(call[1]) / np.sqrt(26), rtol=1e-15)
     assert np.allclose(rounded.point, call[0] + rounded.s * np.array(call[1]), rtol=1e-15)
+
+
+def test_answers_pass_between_processes():
+    met = raycheck.decide([0, 0, 0], [[0, 0, 1], [0, 1, 0]], [0, 0, 5], 1)
+    again = pickle.loads(pickle.dumps(met))
+    assert again.arrays.keys() == met.arrays.keys() and again.s[0] == 4
 
 
 @pytest.mark.parametrize("width, height", [(0, 5), (5, -1)])
