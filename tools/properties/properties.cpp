@@ -23,13 +23,20 @@ using properties::CampaignOptions;
 using properties::Candidate;
 using properties::Law;
 
-std::vector<const Law*> filtered_laws(const std::string& filter) {
+std::vector<const Law*> filtered_laws(const std::vector<std::string>& filters) {
   std::vector<const Law*> found;
+  std::vector<bool> has_laws(filters.size());
   for (const Law& law : properties::laws()) {
-    if (law.name.find(filter) != std::string_view::npos) found.push_back(&law);
+    bool is_named = filters.empty();
+    for (std::size_t k = 0; k < filters.size(); ++k) {
+      if (law.name.find(filters[k]) == std::string_view::npos) continue;
+      has_laws[k] = is_named = true;
+    }
+    if (is_named) found.push_back(&law);
   }
-  if (found.empty()) {
-    throw scene::InvalidInput("filter", filter,
+  for (std::size_t k = 0; k < filters.size(); ++k) {
+    if (has_laws[k]) continue;
+    throw scene::InvalidInput("filter", filters[k],
                               "no law's name contains it; `raycheck list` shows the laws");
   }
   return found;
@@ -169,7 +176,7 @@ class Study {
         is_chosen_(!options.implementations.empty()),
         judged_(is_chosen_ ? options.implementations : built_in(each_method_once())),
         names_(lasting_names(judged_)),
-        laws_(filtered_laws(options.filter)),
+        laws_(filtered_laws(options.filters)),
         candidates_([this] {
           std::vector<Candidate> own;
           for (const Implementation& one : judged_) own.push_back(campaigner(one));

@@ -21,7 +21,7 @@
 namespace raycheck::tools {
 
 struct PropertiesOptions {
-  std::string filter;  ///< Only laws whose name contains this; if empty, all laws.
+  std::vector<std::string> filters;  ///< Only laws whose name contains one of these; if empty, all.
   int cases = properties::kCampaignCases;
   std::uint64_t seed = 1;
   std::string replay;  ///< The failure to replay; if empty, campaigns are run.

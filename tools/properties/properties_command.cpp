@@ -54,7 +54,8 @@ int run_properties_command(PropertiesArguments& arguments) {
 CommandRun add_properties(CLI::App& command) {
   const auto given = std::make_shared<PropertiesArguments>();
   PropertiesOptions& options = given->options;
-  command.add_option("--filter", options.filter, "only laws whose name contains this");
+  command.add_option("--filter", options.filters,
+                     "only laws whose name contains this; may be repeated");
   add_cases(command, options.cases,
             "cases for each law, candidate and level, shared among sources and severities");
   add_seed(command, options.seed);

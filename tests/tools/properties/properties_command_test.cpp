@@ -168,6 +168,15 @@ TEST(PropertiesCommand, exits_with_4_when_nothing_or_too_little_was_judged) {
   }
 }
 
+TEST(PropertiesCommand, judges_the_laws_of_several_filters_in_their_order) {
+  const json report = printed_json(
+      "properties --filter root --filter class --source rays --cases 20 --intersect cross");
+  std::vector<std::string> laws;
+  for (const json& campaign : report["campaigns"]) laws.push_back(campaign["law"]);
+  EXPECT_EQ(laws, (std::vector<std::string>{"class", "nearest-root", "plan-roots"}));
+  expect_refused("properties --filter class --filter glass", "--filter glass: no law's name");
+}
+
 TEST(PropertiesCommand, breaks_laws_for_excuses_when_it_is_strict) {
   const std::string asked = "properties --filter class --source tangency@16 --intersect cross";
   EXPECT_EQ(run(asked).exit_code, 0);
