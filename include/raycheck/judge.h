@@ -94,8 +94,8 @@ struct JudgeOptions {
   bool strict = false;  ///< Excused or undecided answers break a law, too.
 };
 
-/// The outcome of a law: it holds; it is broken; some cases stayed undecided; too few cases could
-/// be judged; no case could be judged; or it does not apply to the candidate.
+/// The outcome of a law: it holds; it is broken; too many cases stayed undecided; too few cases
+/// could be judged; no case could be judged; or it does not apply to the candidate.
 enum class Finding { holds, broken, undecided, too_few_judged, not_judged, left_out };
 /// The finding in words: "too few judged".
 [[nodiscard]] RAYCHECK_API std::string name(Finding finding);

@@ -203,7 +203,9 @@ Finding CampaignResult::finding() const {
   if (verdict.compared() == 0 && !too_few_right()) {
     return counts.not_judged > counts.left_out ? Finding::kNotJudged : Finding::kLeftOut;
   }
-  if (verdict.count(Standing::kUndecided) > 0) return Finding::kUndecided;
+  if (verdict.count(Standing::kUndecided) * kComparisonsOfUndecided > verdict.compared()) {
+    return Finding::kUndecided;
+  }
   return too_few_right() ? Finding::kTooFewJudged : Finding::kHolds;
 }
 

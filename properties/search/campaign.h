@@ -113,6 +113,9 @@ struct Failure {
 /// with a probability of 999 in 1000.
 inline constexpr std::uint64_t kFewestRight = 10;
 
+/// A law is undecided if more than one in this many of its comparisons are; fewer are counted.
+inline constexpr std::uint64_t kComparisonsOfUndecided = 200;
+
 /// The outcome of a law for a candidate.
 enum class Finding { kHolds, kBroken, kUndecided, kTooFewJudged, kNotJudged, kLeftOut };
 inline constexpr std::array<std::string_view, 6> kFindingNames = {

@@ -26,6 +26,25 @@ TEST(Campaign, ReportsTooFewRightIfAnswersAreWrongInTheSameWay) {
   }
 }
 
+TEST(Campaign, IsUndecidedIfMoreThanOneIn200ComparisonsAre) {
+  for (const std::size_t right :
+       {2 * kComparisonsOfUndecided - 3, 2 * kComparisonsOfUndecided - 2}) {
+    CampaignResult result;
+    result.verdict.judged_right(Quantity::kClass, Expected::kHit, right);
+    for (std::size_t ray = 0; ray < 2; ++ray) {
+      Discrepancy one;
+      one.quantity = Quantity::kClass;
+      one.place.ray = ray;
+      one.excuse = {ExcuseKind::kUndecided, kExcusedChange};
+      result.verdict.judged_wrong({one.quantity, Expected::kHit, one.place, Wrong::kMissed},
+                                  one.excuse.standing());
+      result.verdict.add(one);
+    }
+    const bool is_few = result.verdict.compared() == 2 * kComparisonsOfUndecided;
+    EXPECT_EQ(result.finding(), is_few ? Finding::kHolds : Finding::kUndecided) << right;
+  }
+}
+
 /// Expects the same verdict, with the same counts.
 void expect_same(const CampaignPart& a, const CampaignPart& b) {
   EXPECT_EQ(a.source.name(), b.source.name());
