@@ -65,9 +65,10 @@ struct FileFormat {
   bool by_lines = true;               ///< Whether a statement ends with its line, or row.
   Nesting nesting = Nesting::kNone;   ///< How its statements contain others.
   std::string transformation;         ///< If nested, the word before translate and scale.
-  /// If nested: the word before a name and its meaning, that before more of it, and what begins
-  /// the name where it stands for its meaning.
-  std::array<std::string, 3> definition = {};
+  /// If nested: the word before a name and its meaning, that before more of it, what begins the
+  /// name where it stands for its meaning, and another word before more of it. Of several
+  /// definitions the last counts; in tags the first.
+  std::array<std::string, 4> definition = {};
   /// Words that are read as others.
   std::map<std::string, std::string, std::less<>> synonyms;
   bool is_left_handed = false;  ///< Whether x has the opposite sign.

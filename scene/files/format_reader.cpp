@@ -179,21 +179,29 @@ class FormattedReader {
       if (!ends) continue;
       look_after(block.statement, at, *ends);
       if (!block.statement.is_of_sphere) return take(block.statement, at);
-      for (const auto& [slot, its] : given_.all()) block.slots.add(slot) = its;
+      for (const auto& [slot, its] : given_.all()) {
+        if (const Given* const first = block.slots.find(slot)) fail_twice(at, first->line);
+        block.slots.add(slot) = its;
+      }
       return;
     }
-    leave_out_row(at, &block.left_out);
+    leave_out_row(at, &block);
   }
 
-  /// Refuses a row, or counts it as what its first two words or its first are called.
-  void leave_out_row(std::size_t at, std::set<std::string, std::less<>>* counted = nullptr) {
-    std::string keyword(words_[at].text);
-    if (at + 1 < next_line(at)) keyword.append(" ").append(words_[at + 1].text);
-    for (const std::string& one : {keyword, std::string(words_[at].text)}) {
+  /// Refuses a row, or counts it as what its block and its first word, its first two words or its
+  /// first are called.
+  void leave_out_row(std::size_t at, Block* block = nullptr) {
+    const std::string word(words_[at].text);
+    std::string two = word;
+    if (at + 1 < next_line(at)) two.append(" ").append(words_[at + 1].text);
+    const std::string its = block == nullptr ? two : block->statement.rows[0][0].word + " " + word;
+    for (const std::string& one : {its, two, word}) {
       refuse(one, at);
       const auto ignored = format_.ignored.find(one);
       if (ignored == format_.ignored.end()) continue;
-      if (counted == nullptr || counted->insert(ignored->second).second) count(ignored->second);
+      if (block == nullptr || block->left_out.insert(ignored->second).second) {
+        count(ignored->second);
+      }
       return;
     }
     warn_unknown(at);
@@ -362,6 +370,9 @@ class FormattedReader {
     if (!format_.by_lines) located_.fail(line, keyword, what);
     located_.fail(line, keyword, rest_of_line(first), what);
   }
+  [[noreturn]] void fail_twice(std::size_t at, std::size_t line) const {
+    fail_at(at, "is given twice, first on line " + std::to_string(line));
+  }
   /// The words after the first, one space apart.
   std::string rest_of_line(std::size_t first) const {
     const std::span<const Word> words(
@@ -377,7 +388,7 @@ class FormattedReader {
       const auto [known, is_new] = camera_.try_emplace(std::string(slot), its);
       if (is_new) continue;
       if (!format_.defaults.contains(slot)) {
-        fail_at(at, "is given twice, first on line " + std::to_string(known->second.line));
+        fail_twice(at, known->second.line);
       }
       known->second = its;
     }
@@ -537,9 +548,10 @@ class FormattedReader {
       if (axis_ != nullptr) angle.side = side_of(*axis_);
       const double half_angle = required({slot}).front() * angle.half;
       if (!(half_angle > 0 && half_angle < std::numbers::pi / 2)) {
-        located_.fail(camera_.find(slot)->second.line, keyword_of({slot}),
-                      shortest(required({slot}).front()),
-                      "must be an angle of view above 0 and below 180 degrees");
+        located_.fail(
+            camera_.find(slot)->second.line, keyword_of({slot}), shortest(required({slot}).front()),
+            angle.half >= 0.5 ? "must be an angle of view above 0 and below pi, in radians"
+                              : "must be an angle of view above 0 and below 180 degrees");
       }
       double half = std::tan(half_angle) * std::abs(camera.near);
       if (format_.up_widens) half /= sine_between(camera.look_at - camera.eye, camera.up);

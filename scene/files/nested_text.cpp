@@ -7,6 +7,7 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "scene/files/located_fields.h"
@@ -111,10 +112,11 @@ class YamlReader {
   }
 
   bool is_flat(const yaml_node_t& node) {
-    return node.type != YAML_MAPPING_NODE &&
-           std::ranges::all_of(parts_of(node), [](const yaml_node_t* part) {
-             return part->type == YAML_SCALAR_NODE;
-           });
+    const Nodes parts = parts_of(node);
+    return parts.empty() || (node.type != YAML_MAPPING_NODE &&
+                             std::ranges::all_of(parts, [](const yaml_node_t* part) {
+                               return part->type == YAML_SCALAR_NODE;
+                             }));
   }
   /// A scalar's text, or that of the parts of a flat sequence; empty for others.
   std::string text_of(const yaml_node_t& node) {
@@ -137,11 +139,15 @@ class YamlReader {
     }
     if (is_flat(node)) return rows_.add(text_of(node), line, begins);
     const Nodes parts = parts_of(node);
+    std::set<std::string> keys;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (node.type == YAML_SEQUENCE_NODE) {
         add(*parts[k], line_of(*parts[k]), std::exchange(begins, false), depth + 1);
       } else {
-        rows_.enter(text_of(*parts[k++]));
+        const std::string key = text_of(*parts[k]);
+        if (!keys.insert(key).second) fail(parts[k]->start_mark, "it has the key twice: " + key);
+        rows_.enter(key);
+        ++k;
         add(*parts[k], line_of(*parts[k - 1]), std::exchange(begins, false), depth + 1);
         rows_.leave();
       }
@@ -161,6 +167,7 @@ class XmlReader {
     if (parser_ == nullptr) throw std::bad_alloc();
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(parser_.get(), on_start, on_end);
+    XML_SetExternalEntityRefHandler(parser_.get(), [](auto...) { return 0; });  // refuses files
   }
 
   void read(std::string_view text) {
@@ -219,7 +226,8 @@ class XmlReader {
     rows_.enter(!is_block && given.contains("name") ? given.extract("name").mapped() : tag);
     rows_.add(take("type", "") + take("name", "") + take("value", ""), line, is_block);
     if (given.contains("x") || given.contains("y") || given.contains("z")) {
-      rows_.add(take("x", "0") + take("y", "0") + take("z", "0"), line, false);
+      const char* const otherwise = tag == "scale" ? "1" : "0";
+      rows_.add(take("x", otherwise) + take("y", otherwise) + take("z", otherwise), line, false);
     }
     for (const auto& [attribute, value] : given) rows_.add(attribute + " " + value, line, false);
     if (is_block) rows_.leave();

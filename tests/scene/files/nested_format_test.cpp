@@ -135,6 +135,39 @@ TEST(ReadNested, TakesNamesValuesAndTypesOfTags) {
   EXPECT_EQ(height("\"smaller\""), top);
 }
 
+TEST(ReadNested, TakesKeysOfAnyOrder) {
+  std::string text = kYaml;
+  for (const auto& [from, to] :
+       {std::pair("- add: camera\n  width: 8      # pixels\n", "- width: 8\n  add: camera\n"),
+        {"- add: sphere\n  material:\n    color: [ 1, 0, 0 ]\n",
+         "- material:\n    color: [ 1, 0, 0 ]\n"},
+        {"    - [ translate, 0, 0, 3 ]\n", "    - [ translate, 0, 0, 3 ]\n  add: sphere\n"},
+        {"- define: half\n  value: [ scale, 7 ]\n", "- value: [ scale, 7 ]\n  define: half\n"}}) {
+    text = replaced(text, from, to);
+  }
+  const LoadedScene loaded = read(text, "f.yml"), before = read(kYaml, "f.yml");
+  EXPECT_EQ(loaded.scene, before.scene);
+  EXPECT_EQ(loaded.not_needed, before.not_needed);
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{});
+}
+
+TEST(ReadNested, ExtendsDefinitionsByOthers) {
+  const std::string text =
+      replaced(kYaml, "  value:\n  - half\n  - [", "  extend: half\n  value:\n  - [");
+  EXPECT_EQ(read(text, "f.yml").scene, read(kYaml, "f.yml").scene);
+}
+
+TEST(ReadNested, KeepsTheFirstDefaultOfAName) {
+  const std::string text = replaced(kXml, "<sensor", "<default name=\"size\" value=\"9\"/><sensor");
+  EXPECT_EQ(read(text, "f.xml").scene, read(kXml, "f.xml").scene);
+}
+
+TEST(ReadNested, LeavesCoordinatesThatAScalingDoesNotName) {
+  const std::string text = replaced(kXml, "<scale value=\"2\"/>",
+                                    "<scale value=\"2\"/><scale x=\"-1\"/><scale y=\"1\"/>");
+  EXPECT_EQ(read(text, "f.xml").scene.spheres[0], (Sphere{{-1, 4, 6}, 1}));
+}
+
 TEST(ReadNested, NamesLineAndKeywordOfWhatIsWrong) {
   struct Mistake {
     const char *from, *to, *says;
@@ -143,8 +176,11 @@ TEST(ReadNested, NamesLineAndKeywordOfWhatIsWrong) {
        {Mistake{"width: 8 ", "width: 8.5 ", "f.yml:4: width[0] = 8.5: is not a whole number"},
         {"to: [0, 0, 0]", "to: [0, 0]", "f.yml:9: to = 0 0: needs 3 numbers, has 2"},
         {"field-of-view: 1.25\n", "\n", "field-of-view: is missing, which the format rtc needs"},
-        {"field-of-view: 1.25", "field-of-view: 4", "f.yml:5: field-of-view = 4: must be an angle"},
-        {"height: 4", "width: 9", "f.yml:6: width = 9: is given twice, first on line 4"},
+        {"field-of-view: 1.25", "field-of-view: 60",
+         "f.yml:5: field-of-view = 60: must be an angle of view above 0 and below pi, in radians"},
+        {"- add: sphere\n  material:", "- add: sphere\n  <<: { shadow: false }\n  material:",
+         "f.yml:26: <<: cannot be read: keys that are merged from elsewhere"},
+        {"height: 4", "width: 9", "f.yml:6: YAML: is not valid: it has the key twice: width"},
         {"[ translate, 0, 0, 3 ]", "[ translate, 0, 3 ]",
          "f.yml:33: translate: needs 3 numbers, has 2"},
         {"translate, 0.5, 2", "translate, inf, 2", "f.yml:34: sphere[2].centre = [-inf, 2, 3]: "},
@@ -160,6 +196,16 @@ TEST(ReadNested, NamesLineAndKeywordOfWhatIsWrong) {
          "f.xml:9: to_world: cannot be read: a camera with a transformation other than lookat"},
         {"name=\"fov\"", "name=\"focal_length\"",
          "f.xml:12: focal_length: cannot be read: only an angle of view"},
+        {"<film type", "<ref id=\"film\"/><film type",
+         "f.xml:13: sensor ref: cannot be read: a part of a sensor that is elsewhere"},
+        {"name='height'", "name=\"cropWidth\"",
+         "f.xml:13: film crop_width: cannot be read: a part of an image"},
+        {"name=\"fov\"", "name=\"principalPointOffsetX\"",
+         "f.xml:12: principal_point_offset_x: cannot be read: a window that is not centred"},
+        {"value=\"90\"/>", "value=\"90\"/><float name=\"fov\" value=\"9\"/>",
+         "f.xml:12: fov = 9: is given twice, first on line 12"},
+        {"value=\"0.5\"/>", "value=\"0.5\"/><float name=\"radius\" value=\"3\"/>",
+         "f.xml:18: radius = 3: is given twice, first on line 18"},
         {"\"$size\"", "\"$sizes\"", "f.xml:13: width[0] = $sizes: is not a whole number"},
         {"<shape type=\"obj\"", "<include/><shape type=\"obj\"",
          "f.xml:23: include: cannot be read: another file"}}) {
@@ -210,6 +256,10 @@ TEST(ReadNested, NamesLinesThatAreNotValid) {
                   "f.xml:24: XML: is not valid: mismatched tag"));
   EXPECT_TRUE(has(error_of(replaced(kXml, "value=\"90\"", "value=\"&it;\""), "f.xml"),
                   "f.xml:12: XML: is not valid: undefined entity"));
+  const std::string type = "<!DOCTYPE scene [<!ENTITY balls SYSTEM \"balls.xml\">]>\n<scene";
+  const std::string xml = replaced(replaced(kXml, "<scene", type), "</scene>", "&balls;</scene>");
+  EXPECT_TRUE(has(error_of(xml, "f.xml"),
+                  "f.xml:25: XML: is not valid: error in processing external entity reference"));
 }
 
 TEST(ReadNested, LimitsWhatDefinitionsAdd) {
