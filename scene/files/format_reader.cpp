@@ -188,13 +188,14 @@ class FormattedReader {
     leave_out_row(at, &block);
   }
 
-  /// Refuses a row, or counts it as what its block and its first word, its first two words or its
-  /// first are called.
+  /// Refuses a row, or counts it as what its block (of none: "scene") and its first word, its first
+  /// two words or its first are called.
   void leave_out_row(std::size_t at, Block* block = nullptr) {
     const std::string word(words_[at].text);
     std::string two = word;
     if (at + 1 < next_line(at)) two.append(" ").append(words_[at + 1].text);
-    const std::string its = block == nullptr ? two : block->statement.rows[0][0].word + " " + word;
+    const std::string its =
+        (block == nullptr ? "scene" : block->statement.rows[0][0].word) + " " + word;
     for (const std::string& one : {its, two, word}) {
       refuse(one, at);
       const auto ignored = format_.ignored.find(one);
