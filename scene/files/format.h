@@ -32,6 +32,9 @@ inline constexpr std::string_view kUnit = "unit";
 /// A sphere's colour that files may leave out with all after it, {colour:optional}.
 inline constexpr std::string_view kOptional = "optional";
 
+/// What separates the words of all formats.
+inline constexpr std::string_view kBlanks = " \t\v\f\r\n";
+
 /// The slot of the word for the side of an angle of view.
 inline constexpr std::string_view kAxis = "fov_axis";
 
@@ -163,6 +166,9 @@ double sine_between(const Vector3& a, const Vector3& b);
 /// Whether a slot is a number of pixels, and whether a number can be one: doubles have it exactly.
 bool is_pixels(std::string_view slot);
 bool is_whole(double number);
+
+/// Whether a slot is of the camera, not of spheres.
+bool is_of_camera(std::string_view slot);
 
 /// The sign that the number of a slot must have; 0: any.
 int sign_of_slot(std::string_view slot);
