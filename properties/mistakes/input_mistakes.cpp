@@ -1,6 +1,7 @@
 // Right answers to a different question: another camera, other conventions or another pixel.
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@ namespace raycheck::properties {
 namespace {
 
 using scene::Origin;
+using scene::Rows;
 
 Mistake pixel_mistake(std::string sentence, ChangePixel change) {
   return {.sentence = std::move(sentence), .step = Step::kPixelPoint, .pixel = std::move(change)};
@@ -21,7 +23,7 @@ Mistake convention_mistake(std::string sentence, ChangeConventions change, Step 
 
 /// The number of pixels that are written before this one, beginning in the top row.
 std::int64_t written_before(const Camera& its, const Conventions& conventions, const Pixel& p) {
-  const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+  const bool bottom_first = conventions.rows == Rows::kBottomFirst;
   return (bottom_first ? its.height - 1 - p.j : p.j) * its.width + p.i;
 }
 
@@ -33,7 +35,7 @@ Mistake lines_for_columns(const std::string& outside, bool from_last) {
       "for each row" +
           outside,
       [from_last](const Camera& its, const Conventions& conventions, const Pixel& p) {
-        const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+        const bool bottom_first = conventions.rows == Rows::kBottomFirst;
         const std::int64_t k = written_before(its, conventions, p), line = k / its.height;
         const std::int64_t last = (from_last ? its.width : its.height) - 1;
         return Pixel{k % its.height, bottom_first ? last - line : line};
@@ -58,11 +60,33 @@ Mistake integer_division(bool from_bottom) {
                   "left, all rows but the ") +
           (from_bottom ? "top one at the bottom" : "bottom one at the top"),
       [from_bottom](const Camera& its, const Conventions& conventions, const Pixel& p) {
-        const bool is_first_kept = (conventions.rows == scene::Rows::kBottomFirst) != from_bottom;
+        const bool is_first_kept = (conventions.rows == Rows::kBottomFirst) != from_bottom;
         const std::int64_t last = its.height - 1;
         const std::int64_t row = is_first_kept ? (p.j == 0 ? 0 : last) : p.j == last ? last : 0;
         return Pixel{p.i == its.width - 1 ? p.i : 0, row};
       });
+}
+
+/// A loop that ends one row or column too early, in a program that stores an image.
+Mistake never_drawn(const std::string& which, std::optional<Rows> rows, bool column) {
+  Mistake mistake =
+      pixel_mistake("the loops over the pixels end too early: " + which + " black",
+                    [=](const Camera& its, const Conventions& conventions, const Pixel& p) {
+                      const bool is_last = p.j == (rows == conventions.rows ? its.height - 1 : 0);
+                      const bool is_drawn = !(rows && is_last) && !(column && p.i == its.width - 1);
+                      return is_drawn ? p : Pixel{-1, -1};
+                    });
+  mistake.black_outside = true;
+  mistake.is_offered = never_of_functions;
+  return mistake;
+}
+
+std::vector<Mistake> loops_too_short() {
+  return {never_drawn("the bottom row and the last column are", Rows::kTopFirst, true),
+          never_drawn("the top row and the last column are", Rows::kBottomFirst, true),
+          never_drawn("the bottom row is", Rows::kTopFirst, false),
+          never_drawn("the top row is", Rows::kBottomFirst, false),
+          never_drawn("the last column is", {}, true)};
 }
 
 std::vector<Mistake> pixel_mistakes() {
@@ -76,7 +100,7 @@ std::vector<Mistake> pixel_mistakes() {
   // column, each column from its top or from its bottom.
   const auto by_columns = [](bool from_top) {
     return [from_top](const Camera& its, const Conventions& conventions, const Pixel& p) {
-      const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+      const bool bottom_first = conventions.rows == Rows::kBottomFirst;
       const std::int64_t k = written_before(its, conventions, p), down = k % its.height;
       return Pixel{k / its.height, from_top == bottom_first ? its.height - 1 - down : down};
     };
@@ -115,7 +139,6 @@ Mistake exchanged_steps() {
 
 std::vector<Mistake> convention_mistakes() {
   using scene::Root;
-  using scene::Rows;
   using scene::Samples;
   using scene::Tangent;
   const auto of = [](auto member, auto value) {
@@ -161,7 +184,7 @@ void stretch_columns(Camera& camera, double factor) {
   camera.right = camera.left + (camera.right - camera.left) * factor;
 }
 void stretch_rows(Camera& camera, const Conventions& conventions, double factor) {
-  const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+  const bool bottom_first = conventions.rows == Rows::kBottomFirst;
   const double first = bottom_first ? camera.bottom : camera.top;
   double& last = bottom_first ? camera.top : camera.bottom;
   last = first + (last - first) * factor;
@@ -183,7 +206,7 @@ enum class By { kSteps, kCount, kNextByCount };
 Mistake by_count(std::string sentence, By columns, By rows) {
   const auto change = [=](Camera& its, const Conventions& conventions) {
     double *first = &its.top, *last = &its.bottom;
-    if (conventions.rows == scene::Rows::kBottomFirst) std::swap(first, last);
+    if (conventions.rows == Rows::kBottomFirst) std::swap(first, last);
     if (columns != By::kSteps) {
       step_by_count(its.left, its.right, its.width, conventions, columns == By::kNextByCount);
     }
@@ -243,6 +266,7 @@ std::vector<Mistake> input_mistakes() {
   return all_of({pixel_mistakes(),
                  {exchanged_steps()},
                  exchanged_loops(),
+                 loops_too_short(),
                  convention_mistakes(),
                  view_mistakes()});
 }

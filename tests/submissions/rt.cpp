@@ -32,9 +32,9 @@ namespace {
       mirrored, cancelling, left_and_right_negated, bottom_and_top_negated, symmetric_bounds,    \
       bottom_first, size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, \
       epsilon, whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,  \
-      lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,              \
-      largest_distance, crossed_bounds, normalize_discarded_and_upside_down, steps_of_larger,    \
-      largest_multiple
+      lines_for_columns, lines_from_the_last, loops_too_short, whole_view, whole_d,              \
+      least_size_wins, largest_distance, crossed_bounds, normalize_discarded_and_upside_down,    \
+      steps_of_larger, largest_multiple
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -267,7 +267,9 @@ int main(int argc, char** argv) {
   const int values = exchanged ? camera.height : camera.width;
   for (int line = 0; line < lines; ++line) {
     for (int i = 0; i < values; ++i) {
-      const Vector c = colour(scene, camera.ray(i, (from_last ? lines : camera.height) - 1 - line));
+      const bool is_last = line == lines - 1 || i == values - 1;
+      const Ray ray = camera.ray(i, (from_last ? lines : camera.height) - 1 - line);
+      const Vector c = has(Mistake::loops_too_short) && is_last ? Vector{} : colour(scene, ray);
       image << level(c.x) << " " << level(c.y) << " " << level(c.z) << "\n";
     }
   }

@@ -119,6 +119,8 @@ const std::vector<Mistake> kOfPictures = {
      "the loops that write the picture are exchanged: it has a line for each column, with a "
      "value for each row; rays are traced beyond the image, too, from the last row on",
      2},
+    {"loops_too_short", 105, "boundary pixels",
+     "the loops over the pixels end too early: the bottom row and the last column are black", 3},
     {"whole_view", 95, "camera frame",
      "eye, look and up are read as integers: their fractions are dropped", 2},
     {"whole_d", 96, "whole scenes, robustness", "d is read as an integer: its fraction is dropped",
