@@ -168,6 +168,10 @@ Ray with_unit_direction(Ray ray, Precision precision) {
 RoundedCase rounded_case(Case the_case, InputFormat format) {
   const Precision precision = format.precision;
   RoundedCase result;
+  InputFormat unrounded = format;
+  unrounded.precision = Precision::kDouble;
+  std::optional<Camera> given = the_case.scene.camera;
+  const bool is_other_window = given && fit_window(*given, unrounded);
   if (fit_spheres(the_case.scene, format)) result.replaced = accepted(format.placement);
   scene::Samples& samples = the_case.scene.conventions.samples;
   if (!format.corners && samples == scene::Samples::kCorners) samples = scene::Samples::kCentres;
@@ -206,9 +210,8 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
     if (the_case.scene.camera) the_case.scene.camera->far.reset();
     if (!result.reason.empty()) return result;
   }
-  if (the_case.scene.camera && fit_window(*the_case.scene.camera, format)) {
-    result.replaced = accepted(format.windows);
-  }
+  if (the_case.scene.camera) fit_window(*the_case.scene.camera, format);
+  if (is_other_window) result.replaced = accepted(format.windows);
   const bool moved = the_case.scene.camera && fit_view(*the_case.scene.camera, format);
   if (precision == Precision::kSingle || !result.replaced.empty() || moved) {
     const auto defects = scene::defects(the_case.scene);

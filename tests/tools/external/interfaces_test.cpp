@@ -342,6 +342,11 @@ TEST(Interfaces, of_fields_of_view_have_windows_that_follow_from_them) {
       }
       // A scene that a user gives is not replaced.
       EXPECT_TRUE(has(properties::rounded_scene(scene, format).reason, "accepts only symmetric"));
+      // One that the candidate accepts is only rounded: in floats, 0.45 * 40 is not 0.3 * 60.
+      scene.camera = {{}, {0, 0, -1}, {0, 1, 0}, -1, {}, -0.45, 0.45, -0.3, 0.3, 60, 40};
+      const auto accepted = properties::rounded_scene(scene, format);
+      ASSERT_TRUE(accepted.the_case) << accepted.reason;
+      EXPECT_TRUE(properties::is_of_format(accepted.the_case->scene, format));
     }
   }
 }
