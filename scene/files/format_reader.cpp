@@ -1,55 +1,20 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <span>
-#include <tuple>
 #include <utility>
 
-#include "scene/files/format.h"
-#include "scene/files/format_words.h"
-#include "scene/files/located_fields.h"
+#include "scene/files/format_reading.h"
 #include "scene/interruption.h"
 #include "scene/number.h"
 #include "scene/text.h"
 
 namespace raycheck::scene {
 namespace {
-
-/// The numbers of a slot, the line on which they are, and the word where their statement begins.
-struct Given {
-  std::array<double, 3> numbers = {};
-  std::size_t line = 1;
-  std::size_t statement = 0;
-};
-/// Where a statement's words end, and those of them that a scene needs.
-struct Extent {
-  std::size_t all, needed;
-};
-
-constexpr std::array<std::string_view, 4> kSides = {"left", "right", "bottom", "top"};
-/// The slots of a statement.
-class GivenSlots {
- public:
-  Given& add(std::string_view slot) { return all_.emplace_back(slot, Given()).second; }
-  const Given* find(std::string_view slot) const {
-    const auto known = std::ranges::find(all_, slot, [](auto& one) { return one.first; });
-    return known == all_.end() ? nullptr : &known->second;
-  }
-  void clear() { all_.clear(); }
-  const auto& all() const { return all_; }
-
- private:
-  std::vector<std::pair<std::string_view, Given>> all_;
-};
-
-class FormattedReader {
+class FormattedReader : FormatCamera {
  public:
   FormattedReader(const FileFormat& format, std::string_view text, std::string_view file)
-      : format_(format),
-        located_(file),
-        rows_(defined_rows(format, text, file)),
-        words_(format.is_nested() ? words_of(rows_) : words_of(format, text)) {
+      : FormatCamera(format, text, file) {
     for (const auto* fixed : {&format.defaults, &format.fixed}) {
       for (const auto& [slot, numbers] : *fixed) {
         std::ranges::copy(numbers, camera_[slot].numbers.begin());
@@ -116,16 +81,6 @@ class FormattedReader {
     if (!leave_out(keyword) && format_.by_lines && !parse_number(keyword)) warn_unknown(at);
     return format_.by_lines ? next_line(at) : at + 1;
   }
-  void refuse(std::string_view keyword, std::size_t at) const {
-    const auto refused = format_.refused.find(keyword);
-    if (refused == format_.refused.end()) return;
-    located_.fail(words_[at].line, keyword, "cannot be read: " + refused->second);
-  }
-  void warn_unknown(std::size_t at) {
-    if (unknown_ == nullptr) unknown_ = &words_[at];
-    warn(at, "unknown keyword, ignored");
-  }
-
   /// Reads the block at a word of a nested file, and returns where the next one begins.
   std::size_t block(std::size_t first) {
     const auto found = std::ranges::find_if(format_.statements, [&](const auto& statement) {
@@ -279,109 +234,6 @@ class FormattedReader {
     return at == end;
   }
 
-  /// Whether the literal words up to the first slot are there, if there is a slot.
-  bool has_first_words(const FormatStatement& statement, std::size_t at) const {
-    for (const FormatPart& part : statement.parts) {
-      if (part.word.empty()) return true;
-      if (at == words_.size() || words_[at++].text != part.word) return false;
-    }
-    return false;
-  }
-  static std::string shown_part(const FormatPart& part) {
-    return part.word.empty() ? "{" + part.slot + "}" : part.word;
-  }
-
-  std::size_t next_line(std::size_t at) const {
-    const std::size_t row = words_[at].row;
-    while (at < words_.size() && words_[at].row == row) ++at;
-    return at;
-  }
-
-  /// Where a statement that begins at a word ends; empty if its literal words are others.
-  std::optional<Extent> matched(const std::vector<FormatPart>& parts, std::size_t first) {
-    given_.clear();
-    numbers_ = 0;
-    const std::size_t end = format_.by_lines ? next_line(first) : words_.size();
-    std::size_t at = first, needed = first + 1;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      const auto& [word, slot, written, count] = parts[k];
-      if (!word.empty()) {
-        if (at == end || words_[at].text != word) return {};
-        if (format_.is_nested()) first = at;  // its name is in front of it
-        ++at;
-      } else if (slot == "*") {
-        const std::string_view next =
-            k + 1 < parts.size() ? std::string_view(parts[k + 1].word) : "";
-        if (next.empty() && !format_.by_lines) continue;
-        // The statement of the next sphere begins with the same word.
-        while (at < end && (next.empty() || words_[at].text != next)) {
-          if (!format_.by_lines && words_[at].text == parts.front().word) return {};
-          ++at;
-        }
-      } else if (count == 0) {
-        if (slot == kAxis && at < end) axis_ = &words_[at];
-        at = std::min(at + 1, end);
-      } else if (written == kOptional) {
-        at = std::min(at + count, end);
-      } else {
-        Given& its = given_.add(slot);
-        its.line = words_[first].line;
-        its.statement = first;
-        for (std::size_t n = 0; n < count; ++n, ++at, ++numbers_) {
-          if (at == end) fail_short(parts, first);
-          its.numbers[n] = number(slot, first, at);
-        }
-        needed = at;
-      }
-    }
-    return Extent{at, needed};
-  }
-
-  double number(std::string_view slot, std::size_t first, std::size_t at) const {
-    const std::string_view text = words_[at].text;
-    const auto fail = [&](std::string_view what) {
-      const std::string index = std::to_string(at - first - 1);
-      located_.fail(words_[at].line, std::string(words_[first].text) + "[" + index + "]", text,
-                    what);
-    };
-    const auto value = parse_number(text);
-    if (is_pixels(slot) && !(parse_integer(text) && is_whole(*value))) {
-      fail("is not a whole number of pixels");
-    }
-    if (!value) fail("is not a number");
-    return *value;
-  }
-
-  [[noreturn]] void fail_short(const std::vector<FormatPart>& parts, std::size_t first) const {
-    if (!format_.by_lines) {
-      located_.fail(words_[first].line, words_[first].text, "ends before all of its numbers");
-    }
-    std::size_t needs = 0;
-    for (const FormatPart& part : parts) {
-      if (part.written != kOptional) needs += part.numbers;
-    }
-    fail_at(first, "needs " + std::to_string(needs) +
-                       (needs == 1 ? " number, has " : " numbers, has ") +
-                       std::to_string(numbers_));
-  }
-
-  /// Fails about a statement, whose words are its value if it is a line.
-  [[noreturn]] void fail_at(std::size_t first, std::string_view what) const {
-    const auto& [keyword, line, row, begins] = words_[first];
-    if (!format_.by_lines) located_.fail(line, keyword, what);
-    located_.fail(line, keyword, rest_of_line(first), what);
-  }
-  [[noreturn]] void fail_twice(std::size_t at, std::size_t line) const {
-    fail_at(at, "is given twice, first on line " + std::to_string(line));
-  }
-  /// The words after the first, one space apart.
-  std::string rest_of_line(std::size_t first) const {
-    const std::span<const Word> words(
-        words_.begin() + static_cast<std::ptrdiff_t>(first) + 1,
-        words_.begin() + static_cast<std::ptrdiff_t>(next_line(first)));
-    return joined(words, " ", &Word::text);
-  }
-
   void take(const FormatStatement& statement, std::size_t at) {
     if (const Given* const centre = given_.find("centre")) return take_sphere(*centre);
     for (const auto& [slot, its] : given_.all()) {
@@ -414,182 +266,6 @@ class FormattedReader {
     sphere_lines_.push_back(line);
   }
 
-  const std::array<double, 3>* find(std::string_view slot) const {
-    const auto found = camera_.find(slot);
-    return found == camera_.end() ? nullptr : &found->second.numbers;
-  }
-
-  /// The numbers of the first of these slots; the file must have one.
-  const std::array<double, 3>& required(std::initializer_list<std::string_view> slots) const {
-    for (const std::string_view slot : slots) {
-      if (const auto* numbers = find(slot)) return *numbers;
-    }
-    const std::string missing = " is missing, which the format " + format_.name + " needs";
-    const std::string keyword = keyword_of(slots);
-    if (unknown_ == nullptr) located_.fail(1, keyword, missing.substr(1));
-    located_.fail(unknown_->line, unknown_->text, "unknown keyword; " + keyword + missing);
-  }
-  /// The keyword of the statement with one of these slots.
-  std::string keyword_of(std::initializer_list<std::string_view> slots) const {
-    for (const FormatStatement& statement : format_.statements) {
-      for (const std::vector<FormatPart>& row : statement.rows) {
-        std::string keyword;
-        for (const FormatPart& part : row) {
-          if (keyword.empty() || (format_.is_nested() && !part.word.empty())) keyword = part.word;
-          if (!part.slot.empty() && std::ranges::count(slots, part.slot) > 0) return keyword;
-        }
-      }
-    }
-    return std::string(*slots.begin());
-  }
-
-  Camera camera() {
-    Camera camera;
-    const auto triple = [](const std::array<double, 3>& v, auto& to) { to = {v[0], v[1], v[2]}; };
-    triple(required({"eye"}), camera.eye);
-    if (const auto* view = find("view")) {
-      camera.look_at = {camera.eye.x + (*view)[0], camera.eye.y + (*view)[1],
-                        camera.eye.z + (*view)[2]};
-    } else {
-      triple(required({"look_at", "view"}), camera.look_at);
-    }
-    triple(required({"up"}), camera.up);
-    camera.width = static_cast<std::int64_t>(required({"size", "width"}).front());
-    camera.height = static_cast<std::int64_t>(required({"size", "height"}).front());
-    if (format_.has("distance") || format_.has("near")) required({"distance", "near"});
-    camera.near = find("distance") != nullptr ? -signed_number("distance")
-                  : find("near") != nullptr   ? signed_number("near")
-                                              : -1;
-    if (format_.has_angle()) {
-      set_angle(camera);
-    } else {
-      set_window(camera);
-    }
-    return camera;
-  }
-
-  /// The number of a slot that must have a sign.
-  double signed_number(std::string_view slot) const {
-    const double number = required({slot}).front();
-    const int sign = sign_of_slot(slot);
-    if (number * sign > 0) return number;
-    const std::string keyword = keyword_of({slot});
-    std::string what = sign > 0 ? "must be above 0" : "must be below 0";
-    what += " in the format " + format_.name;
-    bool is_whole = false;
-    for (const auto& [name, other] : formats()) {
-      for (const FormatStatement& one : other.statements) {
-        if (one.keyword() != keyword || one.parts.size() != 2) continue;
-        is_whole = true;
-        if (sign_of_slot(one.parts[1].slot) != -sign) continue;
-        what += (sign > 0 ? ", or below 0 in " : ", or above 0 in ") + name;
-      }
-    }
-    located_.fail(camera_.find(slot)->second.line, is_whole ? keyword : slot, shortest(number),
-                  what);
-  }
-
-  using Order = std::vector<std::string_view>;
-  /// The order of left, right, bottom and top in a format's statement; empty if it has others.
-  static Order order_of(const FileFormat& format, std::string_view keyword) {
-    Order order;
-    for (const FormatStatement& statement : format.statements) {
-      if (statement.keyword() != keyword) continue;
-      for (const FormatPart& part : statement.parts) {
-        if (std::ranges::find(kSides, part.slot) != kSides.end()) order.emplace_back(part.slot);
-      }
-    }
-    return order.size() == kSides.size() ? order : Order{};
-  }
-
-  /// Sets the window. If it has no area or is mirrored, but is not in the order of another format
-  /// with this keyword, says so.
-  void set_window(Camera& camera) {
-    std::array<double, kSides.size()> sides{};
-    for (std::size_t k = 0; k < sides.size(); ++k) sides[k] = required({kSides[k]}).front();
-    std::tie(camera.left, camera.right, camera.bottom, camera.top) = std::tuple_cat(sides);
-    const auto [numbers, line, first] = camera_.find("left")->second;
-    const Order own = order_of(format_, words_[first].text);
-    if (own.empty() || (sides[0] < sides[1] && sides[2] < sides[3])) return;
-    for (const auto& [name, other] : formats()) {
-      const Order order = order_of(other, words_[first].text);
-      if (order.empty() || order == own) continue;
-      std::array<double, kSides.size()> as_other{};
-      for (std::size_t k = 0; k < sides.size(); ++k) {
-        const auto place = std::ranges::find(order, kSides[k]) - order.begin();
-        as_other[k] = required({own[static_cast<std::size_t>(place)]}).front();
-      }
-      const std::string orders =
-          " in the order of the format " + format_.name + " (" + joined(own, " ") + "), but ";
-      const std::string in_other = " in that of " + name + " (" + joined(order, " ") + ")";
-      if (!has_area(sides) && has_area(as_other)) {
-        fail_at(first, "have no area" + orders + "have one" + in_other + ": reorder the numbers");
-      }
-      if (is_mirrored(sides) && !is_mirrored(as_other)) {
-        warn(first, "mirror the image" + orders + "not" + in_other);
-      }
-      return;
-    }
-  }
-  static bool has_area(const std::array<double, 4>& sides) {
-    return sides[0] != sides[1] && sides[2] != sides[3];
-  }
-  static bool is_mirrored(const std::array<double, 4>& sides) {
-    return sides[0] > sides[1] || sides[2] > sides[3];
-  }
-
-  /// Sets the window by its width or by the angle of view.
-  void set_angle(Camera& camera) const {
-    const double ratio = static_cast<double>(camera.width) / static_cast<double>(camera.height);
-    if (format_.has("window_width")) {
-      camera.right = required({"window_width"}).front() / 2;
-      camera.top = camera.right / ratio;
-    } else {
-      auto [slot, angle] = angle_of();
-      if (axis_ != nullptr) angle.side = side_of(*axis_);
-      const double half_angle = required({slot}).front() * angle.half;
-      if (!(half_angle > 0 && half_angle < std::numbers::pi / 2)) {
-        located_.fail(
-            camera_.find(slot)->second.line, keyword_of({slot}), shortest(required({slot}).front()),
-            angle.half >= 0.5 ? "must be an angle of view above 0 and below pi, in radians"
-                              : "must be an angle of view above 0 and below 180 degrees");
-      }
-      double half = std::tan(half_angle) * std::abs(camera.near);
-      if (format_.up_widens) half /= sine_between(camera.look_at - camera.eye, camera.up);
-      const bool is_vertical = angle.is_vertical(camera);
-      camera.top = is_vertical ? half : half / ratio;
-      camera.right = is_vertical ? half * ratio : half;
-    }
-    camera.bottom = -camera.top;
-    camera.left = -camera.right;
-  }
-
-  /// The side that a word in the place of {fov_axis} means.
-  AngleSlot::Side side_of(const Word& word) const {
-    for (const char* const name : {"fov", "fov_"}) {
-      if (const auto angle = angle_slot(name + std::string(word.text))) return angle->side;
-    }
-    located_.fail(word.line, "the side of an angle of view", word.text,
-                  "must be x, y, larger or smaller");
-  }
-
-  /// The slot of the angle that the file or the format gives; if none does, the template's.
-  std::pair<std::string_view, AngleSlot> angle_of() const {
-    std::vector<std::string_view> slots;
-    for (const FormatStatement& statement : format_.statements) {
-      for (const FormatPart& part : statement.parts) {
-        if (angle_slot(part.slot)) slots.push_back(part.slot);
-      }
-    }
-    for (const auto& [slot, numbers] : format_.fixed) {
-      if (angle_slot(slot)) slots.push_back(slot);
-    }
-    const auto given =
-        std::ranges::find_if(slots, [&](auto slot) { return find(slot) != nullptr; });
-    const std::string_view slot = given == slots.end() ? slots.front() : *given;
-    return {slot, angle_slot(slot).value()};
-  }
-
   std::optional<std::size_t> line_of(const std::string& field) const {
     constexpr std::string_view kSphere = "sphere[", kCamera = "camera.";
     if (field.starts_with(kSphere)) {
@@ -609,31 +285,12 @@ class FormattedReader {
     return found == camera_.end() ? std::nullopt : std::optional(found->second.line);
   }
 
-  void warn(std::size_t at, const std::string& what) {
-    constexpr std::size_t kMostWarnings = 20;
-    const auto& [keyword, line, row, begins] = words_[at];
-    if (!warned_.emplace(keyword).second || warned_.size() > kMostWarnings) return;
-    warnings_.push_back(
-        located_.located(line, keyword, what + " (first on line " + std::to_string(line) + ")"));
-  }
-
-  const FileFormat& format_;
-  LocatedFields located_;
-  const std::vector<NestedRow> rows_;
-  std::vector<Word> words_;
-  const Word* axis_ = nullptr;  ///< The word in the place of {fov_axis}.
-  GivenSlots given_;            ///< Of the statement that is read.
-  std::size_t numbers_ = 0;     ///< How many numbers it has.
-  std::map<std::string, Given, std::less<>> camera_;
   std::vector<Sphere> spheres_;
   std::vector<std::size_t> sphere_lines_;
   /// In the order of the file.
   std::vector<std::pair<std::string, int>> left_out_;
   std::size_t material_after_ = 0;  ///< The needed numbers of a sphere with a material.
-  std::vector<std::string> warnings_;
-  std::set<std::string_view> warned_;
-  bool is_of_format_ = false;      ///< Whether it has a statement of the format.
-  const Word* unknown_ = nullptr;  ///< The first unknown keyword.
+  bool is_of_format_ = false;       ///< Whether it has a statement of the format.
 };
 
 }  // namespace
