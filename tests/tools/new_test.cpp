@@ -74,6 +74,10 @@ TEST(NewFormat, names_what_its_example_does_not_give) {
                {"# No line gives the up vector: name its numbers {up}",
                 "# No line gives the angle of view or the window: name its numbers {fovy}"});
   expect_parts(run("new other --from no-such-file", 2).err, {"no-such-file: cannot be read"});
+  expect_parts(
+      run("new other --from scene/examples/balls.yml", 2).err,
+      {"--from scene/examples/balls.yml: is nested, and formats are drafted only from files",
+       "scene/formats/rtc.toml how to write another"});
   for (const std::string text : {"", "# nothing\n",
                                  "gr\xf6\xdf"
                                  "e 1\n",

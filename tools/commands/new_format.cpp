@@ -212,6 +212,15 @@ std::string drafted_format(std::string_view title, std::string_view source, std:
     throw scene::SceneFileError(
         fmt::format("{}: has no statements in UTF-8 from which a format can be drafted", source));
   }
+  const auto* const like = scene::format_of(source, text);
+  if (like != nullptr && like->is_nested()) {
+    throw scene::SceneFileError(fmt::format(
+        "{}: is nested, and formats are drafted only from files whose statements are lines; "
+        "`raycheck list` shows whether it may be of a known format, and scene/formats/{}.toml how "
+        "to "
+        "write another",
+        source, like->name));
+  }
   const auto [todo, rest] = Draft(lines).texts();
   std::string draft = fmt::format(
       "# Drafted from {}. The slots: docs/scenes.md, Other formats.\n"
