@@ -70,7 +70,7 @@ Mistake integer_division(bool from_bottom) {
 /// A loop that ends one row or column too early, in a program that stores an image.
 Mistake never_drawn(const std::string& which, std::optional<Rows> rows, bool column) {
   Mistake mistake =
-      pixel_mistake("the loops over the pixels end too early: " + which + " black",
+      pixel_mistake("the loops over the pixels end too early: " + which + " never drawn",
                     [=](const Camera& its, const Conventions& conventions, const Pixel& p) {
                       const bool is_last = p.j == (rows == conventions.rows ? its.height - 1 : 0);
                       const bool is_drawn = !(rows && is_last) && !(column && p.i == its.width - 1);

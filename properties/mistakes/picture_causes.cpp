@@ -106,6 +106,7 @@ std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
 Causes picture_causes(std::span<const ShownPicture> shown) {
   Causes causes;
   causes.exchanged = pixels_exchanged(shown);
+  causes.of_depths = std::ranges::any_of(shown, &ShownPicture::has_depths);
   Pictures pictures;
   for (const ShownPicture& one : shown) {
     if (!one.sides_exchanged) pictures.emplace_back(one);
@@ -166,13 +167,16 @@ std::vector<Explanation> explanations(const Causes& causes) {
   if (causes.exchanged > 0) all.push_back({kSidesExchanged, causes.exchanged, causes.exchanged});
   switch (causes.kind) {
     case CauseKind::kBlack:
-      say("the picture is black: it shows no sphere");
+      say(causes.of_depths ? "every pixel of the picture is a miss"
+                           : "the picture is black: it shows no sphere");
       break;
     case CauseKind::kUniform:
-      say("the picture has one colour, whatever the scene");
-      break;
     case CauseKind::kBackground:
-      say("no pixel is black: pixels without a sphere have another colour");
+      say(causes.of_depths ? "no pixel is a miss: pixels without a sphere have another number than "
+                             "the one declared"
+          : causes.kind == CauseKind::kUniform
+              ? "the picture has one colour, whatever the scene"
+              : "no pixel is black: pixels without a sphere have another colour");
       break;
     case CauseKind::kExplained:
       say(sentence_of(causes.alternatives) + (roundings.empty() ? "" : "; and " + roundings));

@@ -48,6 +48,7 @@ struct Causes {
   std::optional<Imprecision> imprecision = {};
   /// The pixels of pictures with width and height exchanged, if all that are not square are so.
   std::uint64_t exchanged = 0;
+  bool of_depths = false;  ///< Whether these are depth pictures.
 };
 
 /// The sentence if no mistake is named; `explained` is 0.

@@ -29,6 +29,7 @@ ImageAnswer exact_image(const Scene& scene, const Conventions& conventions) {
 
 std::optional<ShownPicture> shown_picture(Scene scene, const Candidate& candidate) {
   ShownPicture shown = {std::move(scene), {}};
+  shown.has_depths = static_cast<bool>(candidate.depths);
   const Camera& camera = *shown.scene.camera;
   shown.scene.conventions = candidate.declared.over(shown.scene.conventions);
   try {

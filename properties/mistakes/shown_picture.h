@@ -16,6 +16,7 @@ struct ShownPicture {
   ImageAnswer image;
   /// Whether the picture has width and height exchanged; then `image` is empty.
   bool sides_exchanged = false;
+  bool has_depths = false;  ///< Whether it is a depth picture.
 };
 
 /// A candidate's picture of a scene, under the conventions by which it is judged; empty if it

@@ -345,6 +345,8 @@ TEST(PictureCauses, NameBlackPictures) {
     std::fill(one.image.begin(), one.image.end(), std::nullopt);
   }
   EXPECT_EQ(sentences_for(pictures), Sentences{kBlack});
+  for (ShownPicture& one : pictures) one.has_depths = true;
+  EXPECT_EQ(sentences_for(pictures), Sentences{"every pixel of the picture is a miss"});
 }
 
 /// A mistake may show only in the one scene whose picture is black.

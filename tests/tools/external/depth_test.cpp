@@ -57,8 +57,12 @@ TEST(Depth, of_a_miss_is_declared) {
   EXPECT_EQ(depths("z:0", "z miss 0")["discrepancies"], 0);
   EXPECT_EQ(depths("z:-1", "z miss -1")["discrepancies"], 0);
   EXPECT_EQ(depths("z:1e30", "z miss 1e30")["discrepancies"], 0);
-  expect_parts(depths("z:0", "z")["worst"].dump(), {"false hit"});
-  EXPECT_GT(defects(depths("z", "z miss 0")), 100u);
+  const json undeclared = depths("z:0", "z"), without_miss = depths("z", "z miss 0");
+  expect_parts(undeclared["worst"].dump(), {"false hit"});
+  expect_parts(undeclared.dump(), {"no pixel is a miss: pixels without a sphere have another "
+                                   "number than the one declared"});
+  EXPECT_FALSE(has(undeclared.dump(), "colour")) << undeclared;
+  EXPECT_GT(defects(without_miss), 100u);
 }
 
 TEST(Depth, is_read_only_from_floats) {

@@ -120,7 +120,7 @@ const std::vector<Mistake> kOfPictures = {
      "value for each row; rays are traced beyond the image, too, from the last row on",
      2},
     {"loops_too_short", 105, "boundary pixels",
-     "the loops over the pixels end too early: the bottom row and the last column are black", 3},
+     "the loops over the pixels end too early: the bottom row and the last column are never drawn", 3},
     {"whole_view", 95, "camera frame",
      "eye, look and up are read as integers: their fractions are dropped", 2},
     {"whole_d", 96, "whole scenes, robustness", "d is read as an integer: its fraction is dropped",
