@@ -98,14 +98,11 @@ TEST(Shaders, in_a_module_with_an_unterminated_string_are_read) {
 }
 
 TEST(ShownEngines, are_judged_as_the_page_shows) {
-  if (!kEmbree.is_built() || !kVecgeom.is_built())
-    GTEST_SKIP() << "embree and vecgeom are not built";
+  if (!kEmbree.is_built()) GTEST_SKIP() << "embree is not built";
   expect_as_shown(kEmbree.library(), "embree.so",
                   "check scene/examples/ten-spheres.toml --candidate library:embree.so");
   expect_as_shown(kEmbree.library(), "embree.so",
                   "properties --candidate library:embree.so --filter class --cases 300");
-  expect_as_shown(kVecgeom.library(), "vecgeom.so",
-                  "properties --candidate library:vecgeom.so --filter parameter --cases 300");
 }
 
 }  // namespace
