@@ -1,8 +1,12 @@
 #include "properties/mistakes/picture_causes.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "properties/mistakes/picture_evidence.h"
+#include "reference/visibility/visibility.h"
+#include "scene/plan/plan.h"
 
 namespace raycheck::properties {
 namespace {
@@ -101,12 +105,64 @@ std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
   return pixels;
 }
 
+/// Of kinds with the same numbers (s and distance, if rays start at the eye) the first is named.
+constexpr std::array kDepths = {Depth::kDistance, Depth::kS, Depth::kZ, Depth::kImagePlane};
+using OfDepths = std::array<std::uint64_t, kDepths.size()>;
+
+/// Counts the pixels whose numbers are not those of each kind. Right ones differ from these doubles
+/// by roundings, far below kMostOff, unless they are ill-conditioned.
+void count_off(const ShownPicture& shown, OfDepths& off) {
+  constexpr double kMostOff = 1e-4;
+  const Scene& scene = shown.scene;
+  const Camera& camera = *scene.camera;
+  std::vector<std::int32_t> spheres(shown.depths.size());
+  std::vector<double> s(spheres.size()), x(s), y(s), z(s);
+  reference::Visibility(scene, scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest))
+      .nearest(0, camera.height, {spheres, s, x, y, z});
+  const scene::Vector3 axis = camera.look_at - camera.eye;
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    if (spheres[k] == reference::kNoSphere || !shown.image[k]) continue;
+    const scene::Vector3 to = scene::Point3{x[k], y[k], z[k]} - camera.eye;
+    const double along =
+        (to.x * axis.x + to.y * axis.y + to.z * axis.z) / std::hypot(axis.x, axis.y, axis.z);
+    const std::array<double, kDepths.size()> numbers = {std::hypot(to.x, to.y, to.z), s[k], along,
+                                                        along / std::abs(camera.near)};
+    for (std::size_t kind = 0; kind < numbers.size(); ++kind) {
+      const double error = std::abs(static_cast<double>(shown.depths[k]) - numbers[kind]);
+      off[kind] += error <= kMostOff * std::abs(numbers[kind]) ? 0 : 1;
+    }
+  }
+}
+
+/// Finds out whether the numbers of depth pictures, whose pixels are right, are of another kind.
+void find_other_depth(std::span<const ShownPicture> shown, Causes& causes) {
+  OfDepths off{};
+  for (const ShownPicture& one : shown) {
+    if (!one.depths.empty()) count_off(one, off);
+  }
+  causes.declared = shown.front().depth;
+  const std::uint64_t wrong =
+      off[static_cast<std::size_t>(std::ranges::find(kDepths, causes.declared) - kDepths.begin())];
+  const auto best = std::ranges::min_element(off);
+  if (wrong < kFewestWrongPixels ||
+      static_cast<double>(*best) > kMostLeftOfAll * static_cast<double>(wrong)) {
+    return;
+  }
+  causes.kind = CauseKind::kOtherDepth;
+  causes.depth = kDepths[static_cast<std::size_t>(best - off.begin())];
+  causes.errors = wrong;
+  causes.explained = wrong - *best;
+}
+
+std::string_view name(Depth depth) { return kDepthNames[static_cast<std::size_t>(depth)]; }
+
 }  // namespace
 
 Causes picture_causes(std::span<const ShownPicture> shown) {
   Causes causes;
   causes.exchanged = pixels_exchanged(shown);
-  causes.of_depths = std::ranges::any_of(shown, &ShownPicture::has_depths);
+  causes.of_depths =
+      std::ranges::any_of(shown, [](const ShownPicture& one) { return !one.depths.empty(); });
   Pictures pictures;
   for (const ShownPicture& one : shown) {
     if (!one.sides_exchanged) pictures.emplace_back(one);
@@ -116,7 +172,10 @@ Causes picture_causes(std::span<const ShownPicture> shown) {
     all_errors += one.all_errors();
     errors += one.errors();
   }
-  if (all_errors == 0) return causes;
+  if (all_errors == 0) {
+    if (causes.of_depths) find_other_depth(shown, causes);
+    return causes;
+  }
   causes.errors = causes.explained = errors > 0 ? errors : all_errors;
   if (const auto kind = kind_of_all(pictures)) {
     // If roundings may also be the cause, the cause is unknown.
@@ -187,6 +246,10 @@ std::vector<Explanation> explanations(const Causes& causes) {
     case CauseKind::kElsewhereInPixels:
       say("pixels are sampled elsewhere in their squares: each wrong pixel may show what another "
           "point of its square does");
+      break;
+    case CauseKind::kOtherDepth:
+      say("the numbers of the picture are " + std::string(name(causes.depth)) +
+          ", and are declared to be " + std::string(name(causes.declared)));
       break;
     case CauseKind::kUnknown:
       if (causes.show_too_little) say(std::string(kTooLittleShown));

@@ -25,7 +25,8 @@ enum class CauseKind {
   kImprecise,  ///< Only by roundings.
   /// All wrong pixels may show what other points of their squares do.
   kElsewhereInPixels,
-  kUnknown,  ///< No explanation explains everything, or too many do.
+  kOtherDepth,  ///< No pixel is wrong, but the numbers of depth pictures are of another kind.
+  kUnknown,     ///< No explanation explains everything, or too many do.
 };
 
 /// A formula whose roundings cause wrong pixels, and the least distance, in radii, of these.
@@ -48,7 +49,8 @@ struct Causes {
   std::optional<Imprecision> imprecision = {};
   /// The pixels of pictures with width and height exchanged, if all that are not square are so.
   std::uint64_t exchanged = 0;
-  bool of_depths = false;  ///< Whether these are depth pictures.
+  bool of_depths = false;           ///< Whether these are depth pictures.
+  Depth declared = {}, depth = {};  ///< For kOtherDepth: the kinds of numbers.
 };
 
 /// The sentence if no mistake is named; `explained` is 0.

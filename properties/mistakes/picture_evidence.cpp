@@ -29,11 +29,12 @@ ImageAnswer exact_image(const Scene& scene, const Conventions& conventions) {
 
 std::optional<ShownPicture> shown_picture(Scene scene, const Candidate& candidate) {
   ShownPicture shown = {std::move(scene), {}};
-  shown.has_depths = static_cast<bool>(candidate.depths);
+  shown.depth = candidate.depth;
   const Camera& camera = *shown.scene.camera;
   shown.scene.conventions = candidate.declared.over(shown.scene.conventions);
   try {
     shown.image = candidate.image(shown.scene, shown.scene.conventions);
+    if (candidate.depths) shown.depths = candidate.depths(shown.scene, shown.scene.conventions);
   } catch (const OtherSize& other) {
     shown.sides_exchanged = other.width == camera.height && other.height == camera.width;
     if (!shown.sides_exchanged) return {};

@@ -16,7 +16,8 @@ struct ShownPicture {
   ImageAnswer image;
   /// Whether the picture has width and height exchanged; then `image` is empty.
   bool sides_exchanged = false;
-  bool has_depths = false;  ///< Whether it is a depth picture.
+  DepthAnswer depths = {};         ///< The numbers of a depth picture; empty for others.
+  Depth depth = Depth::kDistance;  ///< What they are declared to be.
 };
 
 /// A candidate's picture of a scene, under the conventions by which it is judged; empty if it

@@ -345,7 +345,7 @@ TEST(PictureCauses, NameBlackPictures) {
     std::fill(one.image.begin(), one.image.end(), std::nullopt);
   }
   EXPECT_EQ(sentences_for(pictures), Sentences{kBlack});
-  for (ShownPicture& one : pictures) one.has_depths = true;
+  for (ShownPicture& one : pictures) one.depths.resize(one.image.size());
   EXPECT_EQ(sentences_for(pictures), Sentences{"every pixel of the picture is a miss"});
 }
 

@@ -29,7 +29,10 @@ TEST(Depth, is_judged_as_it_is_declared) {
     EXPECT_GT(depth["max"], 0.4) << kind;
     for (const std::string& other : kinds) {
       if (other != kind) {
-        EXPECT_GT(defects(depths(kind, other)), 100u) << kind << " as " << other;
+        const json wrong = depths(kind, other);
+        EXPECT_GT(defects(wrong), 100u) << kind << " as " << other;
+        expect_parts(wrong["explanations"].dump(), {"the numbers of the picture are " + kind +
+                                                    ", and are declared to be " + other});
       }
     }
   }
@@ -49,6 +52,7 @@ TEST(Depth, mistakes_are_defects) {
   for (const char* mistake : {"far-root", "half-pixel", "constant", "off"}) {
     const json report = depths(mistake, "distance");
     EXPECT_GE(defects(report), 50u) << mistake;
+    EXPECT_FALSE(has(report["explanations"].dump(), "declared to be")) << mistake;
     expect_parts(report["worst"].dump(), {"depth"});
   }
 }
