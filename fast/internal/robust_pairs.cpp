@@ -258,7 +258,7 @@ bool PairBlock::put(std::size_t k, const scene::Ray& ray, const scene::Sphere& s
   direction[0][k] = d.x, direction[1][k] = d.y, direction[2][k] = d.z;
   const double length = std::max(most(to_centre, k), radius[k]), width = most(direction, k);
   centre[k] = C;
-  if (!(length > 0 && width > 0)) return false;
+  if (!(length > 0 && length < HUGE_VAL && width > 0 && width < HUGE_VAL)) return false;
   const int shift = exponent_of(length), turn = exponent_of(width);
   if (shift != 0) {
     const PowerOfTwo less(-shift);

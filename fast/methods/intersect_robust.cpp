@@ -289,7 +289,9 @@ void intersect_by_robust(const Rays& rays, const scene::Sphere& sphere, scene::H
   const auto& [input, answers] =
       intersect_by(HWY_DYNAMIC_DISPATCH(robust_batch), rays, sphere, rule, hits);
   settle(input, answers, false);
-  if (std::memchr(hits.hit.data(), kOpen, hits.size()) != nullptr) require_valid(rays, sphere);
+  const std::uint8_t* const codes = hits.hit.data();
+  const bool is_empty = hits.size() == 0;  // then memchr() may not be called
+  if (!is_empty && std::memchr(codes, kOpen, hits.size()) != nullptr) require_valid(rays, sphere);
 }
 
 std::optional<Hit> one_by_robust(const scene::Ray& ray, const scene::Sphere& sphere,
