@@ -210,6 +210,10 @@ void measure_depth(Trial& trial, Verdict& verdict, std::size_t k, float got) {
 
 void judge_image(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
+  if (candidate.any_sample && !trial.conventions().valid.is_usual()) {
+    return verdict.leave_out(
+        "any point of a pixel may be its sample, but not every root >= 0 counts");
+  }
   const Camera& camera = *trial.scene().camera;
   const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
   const std::int64_t width = camera.width;

@@ -145,6 +145,7 @@ class PictureWords {
   template <class Number = std::int64_t>
   Number number() {
     skip();
+    if (rest_.starts_with('+')) rest_.remove_prefix(1);
     Number value = 0;
     const auto [at, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
     if (error != std::errc()) {
@@ -154,8 +155,15 @@ class PictureWords {
     rest_.remove_prefix(static_cast<std::size_t>(at - rest_.data()));
     return value;
   }
-  /// The bytes after the one space that ends the last word.
-  std::string_view bytes() const { return rest_.substr(rest_.empty() ? 0 : 1); }
+  /// The pixels, of this many bytes: what follows the one space that ends the last word. A space or
+  /// a carriage return before the line end is one byte more than the formats allow.
+  std::string_view pixels(std::size_t size) const {
+    std::string_view rest = rest_.substr(rest_.empty() ? 0 : 1);
+    const bool is_line_end = !rest_.starts_with('\n') && rest.starts_with('\n');
+    if (is_line_end && rest.size() == size + 1) rest.remove_prefix(1);
+    if (rest.size() < size) throw PictureError(fmt::format("its {} lacks pixels", format_));
+    return rest;
+  }
 
  private:
   void skip() {
@@ -185,13 +193,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
   }
   const auto count = static_cast<std::size_t>(picture.width * picture.height);
   const std::size_t size = largest < 256 ? 1 : 2;
-  std::string_view rest;
-  if (!is_text) {
-    rest = words.bytes();
-    // A Windows line end has one byte more than the format allows.
-    if (rest.starts_with('\n') && rest.size() == 3 * size * count + 1) rest.remove_prefix(1);
-    if (rest.size() < 3 * size * count) throw PictureError("its PPM lacks pixels");
-  }
+  std::string_view rest = is_text ? "" : words.pixels(3 * size * count);
   const auto channel = [&] {
     std::int64_t value = 0;
     if (is_text) {
@@ -227,10 +229,7 @@ ReadPicture read_pfm(std::string_view bytes, std::int64_t most,
   if (wanted && !picture.has_size(*wanted)) return picture;
   const bool is_little = words.number<double>() < 0;
   const auto row = static_cast<std::size_t>(picture.width) * channels * sizeof(float);
-  const std::string_view rest = words.bytes();
-  if (rest.size() / row < static_cast<std::size_t>(picture.height)) {
-    throw PictureError("its PFM lacks pixels");
-  }
+  const std::string_view rest = words.pixels(row * static_cast<std::size_t>(picture.height));
   const auto channel = [&](std::string_view at) {
     std::uint32_t word = 0;
     for (std::size_t k = 0; k < sizeof(word); ++k) {

@@ -162,6 +162,9 @@ TEST(PictureReader, ReadsPpmsWithCommentsAndOtherMaxima) {
   const auto binary = parse_picture("P6\n1 1\n255\nabc", 100);
   EXPECT_EQ(binary.pixels, (std::vector<Colour>{{'a', 'b', 'c'}}));
   EXPECT_EQ(parse_picture("P6\r\n1 1\r\n255\r\nabc", 100).pixels, binary.pixels);
+  // The first pixel's byte may be that of a line end.
+  const auto line_end = parse_picture("P6\n1 1\n255\n\nbc\n", 100);
+  EXPECT_EQ(line_end.pixels, (std::vector<Colour>{{'\n', 'b', 'c'}}));
 }
 
 TEST(PictureReader, ReadsPfmsOfBothByteOrdersFromTheBottom) {
@@ -172,6 +175,7 @@ TEST(PictureReader, ReadsPfmsOfBothByteOrdersFromTheBottom) {
   const auto grey = parse_picture("Pf\n2 2\n1.0\n" + big, 100);
   EXPECT_EQ(grey.pixels, (std::vector<Colour>{{128, 128, 128}, {}, {255, 255, 255}, {}}));
   EXPECT_EQ(parse_picture("Pf\n2 2\n-1\n" + little, 100).pixels, grey.pixels);
+  EXPECT_EQ(parse_picture("Pf\r\n2 2\r\n+1.0\r\n" + big, 100).pixels, grey.pixels);
   const auto colour = parse_picture("PF 1 1 -3\n" + little, 100);
   EXPECT_EQ(colour.pixels, (std::vector<Colour>{{255, 0, 128}}));
 }

@@ -206,6 +206,20 @@ TEST(ValidRoots, define_the_reference_picture_of_errors) {
   EXPECT_GT(shown("s >= 0", 1)["error"]["wrong"]["defect"]["pixels"], 20);
 }
 
+/// Whether another point of a pixel's square may show what it shows is known only where every root
+/// >= 0 counts.
+TEST(ValidRoots, leave_out_pictures_with_any_sample) {
+  const std::string scene = temporary_file(
+      "any.toml", contents(RAYCHECK_SOURCE_DIR "/" + kProbeScene) + "[conventions]\nt_min = 0.5\n");
+  const std::string mirrored = "renderer:python3 tests/candidates/rt.py mirrored {scene} {image}";
+  EXPECT_EQ(check(scene, mirrored).exit_code, 1);
+  const Outcome any = check(scene, mirrored, "--any-sample");
+  EXPECT_EQ(any.exit_code, 4);
+  const json report = json::parse(any.out)["candidates"][0];
+  EXPECT_EQ(report["discrepancies"], 0);
+  expect_parts(report.dump(), {"any point of a pixel may be its sample, but not every root"});
+}
+
 TEST(ValidRoots, are_declared_in_a_line) {
   using tools::parse_introduction;
   const auto declared = [](const std::string& line) {

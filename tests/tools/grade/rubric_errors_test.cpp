@@ -27,6 +27,11 @@ struct Wrong {
 constexpr const char *kTitle = "title = \"A rubric\"", *kWorth = "points = 4",
                      *kCases = "cases = 4", *kAsked = "[item.functions]\nlaws = [\"class\"]";
 
+/// What is between the title and the questions of kRubric.
+const std::string kFormAndItem =
+    "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n[[item]]\nname = "
+    "\"one\"\npoints = 4\n";
+
 const std::vector<Wrong> kWrong = {
     {"title", "titel", "1: titel = \"A rubric\": unknown key; rubric accepts title, "},
     {kTitle, "title =", "1: not valid TOML: "},
@@ -40,6 +45,13 @@ const std::vector<Wrong> kWrong = {
     {kTitle, "tolerance = { ulp = -1 }", "1: tolerance.ulp = -1: must be 0 or"},
     {kTitle, "conventions = { samples = \"middles\" }",
      "1: conventions.samples = \"middles\": must be one of edges, centres, corners"},
+    {kTitle, "conventions = { t_min = -5 }",
+     "1: conventions.t_min = -5: must be finite and at least 0, or -inf"},
+    {kTitle, "conventions = { t_min = 2, t_max = 1 }", "1: conventions.t_max = 1: is below t_min"},
+    {kTitle, "conventions = { root = \"smaller\", culling = \"front-faces\" }",
+     "1: conventions.culling = \"front-faces\": culls every root"},
+    {kTitle, "conventions = { samples = \"any\", t_min = 0.5 }",
+     "1: conventions.samples = \"any\": is judged only where every root >= 0 counts; leave out"},
     {kTitle, "depth = \"y\"", "1: depth = \"y\": must be s or distance or z or image-plane, and"},
     {kTitle, "unjudged = 1.5", "1: unjudged = 1.5: must be between 0 and 1"},
     {kTitle, "driver = { preset = \"../a.toml\" }",
@@ -127,6 +139,16 @@ const std::vector<Wrong> kWrong = {
      "12: item[0].functions.scenes[0] = \"/etc/passwd\": must be a path below"},
     {kAsked, "[item.pictures]\njudge = \"depth\"",
      "9: item[0].pictures.judge = \"depth\": needs the rubric's key depth, such as"},
+    {"title = \"A rubric\"\n" + kFormAndItem + kAsked,
+     "depth = \"z\"\nconventions = { samples = \"any\" }\n" + kFormAndItem +
+         "[item.pictures]\njudge = \"depth\"",
+     "10: item[0].pictures.judge = \"depth\": is not possible with conventions.samples = \"any\""},
+    {"title = \"A rubric\"\n" + kFormAndItem + kAsked,
+     "depth = \"z\"\n" + kFormAndItem + "[item.pictures]\njudge = \"spheres\"",
+     "9: item[0].pictures.judge = \"spheres\": needs judge = \"mask\" or \"depth\", because"},
+    {"title = \"A rubric\"\n" + kFormAndItem + kAsked,
+     "depth = \"z\"\n" + kFormAndItem + "[item.pictures]",
+     "item[0].pictures = (a table): needs judge = \"mask\" or \"depth\", because"},
     {kAsked, "[item.pictures]\njudge = \"masks\"",
      "9: item[0].pictures.judge = \"masks\": must be one of spheres, mask"},
     {kAsked, "[item.pictures]\nvary = [\"size\", \"colour\"]",

@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <set>
 
 #include "scene/files/file_text.h"
 #include "scene/files/toml_fields.h"
 #include "scene/invalid_input.h"
+#include "scene/validate.h"
 #include "tools/external/external_candidate.h"
 
 namespace raycheck::tools {
@@ -30,8 +30,6 @@ constexpr std::int64_t kMostCases = 1000000;
 constexpr std::int64_t kMostOfLimit = std::int64_t{1} << 20;
 constexpr std::string_view kNotNegative = "must be 0 or more, and finite";
 constexpr std::string_view kShare = "must be between 0 and 1";
-/// File systems allow at most 255 bytes.
-constexpr std::size_t kLongestName = 80;
 
 class RubricReader {
  public:
@@ -62,21 +60,9 @@ class RubricReader {
     set_between(file, "image_change", 0, kLargest, kNotNegative, rubric.image_change);
     set_between(file, "t_threshold", 0, kLargest, kNotNegative, rubric.t_threshold);
     set_between(file, "unjudged", 0, 1, kShare, rubric.unjudged);
-    if (const auto field = fields_.optional(file, "depth")) {
-      try {
-        rubric.depth = depth_form(fields_.text(*field));
-      } catch (const std::invalid_argument& error) {
-        fields_.fail(*field, error.what());
-      }
-    }
+    read_by(depth_form, file, "depth", rubric.depth);
     is_of_depths_ = rubric.depth.has_value();
-    if (const auto field = fields_.optional(file, "bounds")) {
-      try {
-        rubric.bounds = find_pair(fields_.text(*field));
-      } catch (const std::invalid_argument& error) {
-        fields_.fail(*field, error.what());
-      }
-    }
+    read_by(find_pair, file, "bounds", rubric.bounds);
     if (const auto field = fields_.optional(file, "conventions")) {
       const Table conventions = fields_.table(*field);
       std::vector<std::string_view> either;
@@ -90,6 +76,16 @@ class RubricReader {
         if (*is_either) either.emplace_back(key);
       }
       scene::read_conventions(fields_, conventions, rubric.conventions, either);
+      for (const scene::Defect& defect : defects(rubric.conventions.over(scene::Conventions{}))) {
+        const std::string key = defect.field.substr(defect.field.find('.') + 1);
+        fields_.fail(fields_.required(conventions, key), defect.what);
+      }
+      any_sample_ = rubric.any_sample;
+      if (any_sample_ && !rubric.conventions.valid.value_or(scene::ValidRoots{}).is_usual()) {
+        fields_.fail(fields_.required(conventions, "samples"),
+                     "is judged only where every root >= 0 counts; leave out t_min, t_max, "
+                     "interval, t_unit and culling, or give other samples");
+      }
     }
     if (const auto field = fields_.optional(file, "tolerance")) tolerance_ = tolerance(*field);
     for (const Table& each : fields_.tables(file, "form")) rubric.forms.push_back(form(each));
@@ -109,6 +105,16 @@ class RubricReader {
     const double value = fields_.number(field);
     if (!(value >= least && value <= most)) fields_.fail(field, what);
     return value;
+  }
+  template <class Read, class Value>
+  void read_by(Read read, const Table& from, std::string_view key, Value& value) const {
+    const auto field = fields_.optional(from, key);
+    if (!field) return;
+    try {
+      value = read(fields_.text(*field));
+    } catch (const std::invalid_argument& error) {
+      fields_.fail(*field, error.what());
+    }
   }
   void read_seconds(const Table& from, Rubric& rubric) const {
     for (const auto& [key, value] :
@@ -315,6 +321,16 @@ class RubricReader {
         fields_.fail(fields_.required(from, "judge"),
                      "needs the rubric's key depth, such as depth = \"distance miss inf\"");
       }
+      if (judged == Judged::kDepth && any_sample_) {
+        fields_.fail(fields_.required(from, "judge"),
+                     "is not possible with conventions.samples = \"any\": the depth of a pixel "
+                     "depends on its sample; give edges, centres or corners, or judge = \"mask\"");
+      }
+      if (judged == Judged::kSpheres && is_of_depths_) {
+        fields_.fail(fields_.optional(from, "judge").value_or(field),
+                     "needs judge = \"mask\" or \"depth\", because the rubric's key depth asks for "
+                     "depth pictures, which do not show which sphere is seen");
+      }
       result.masks_only = judged != Judged::kSpheres;
       result.judges_depth = judged == Judged::kDepth;
       set_between(from, "image_change", 0, 1, kShare, result.image_change);
@@ -411,28 +427,13 @@ class RubricReader {
   TomlFields fields_;
   Tolerance tolerance_;
   double unit_ = properties::kDoubleRoundoff;  ///< The unit of every tolerance.
-  bool is_of_depths_ = false;
+  bool is_of_depths_ = false, any_sample_ = false;
   std::set<std::string> names_;
   std::set<std::string> file_names_;
   std::map<std::string, fs::path> files_;
 };
 
 }  // namespace
-
-std::string file_name(std::string_view item) {
-  std::string name;
-  for (const char c : item) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    if (is_plain) {
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    } else if (!name.empty() && name.back() != '-') {
-      name += '-';
-    }
-  }
-  name.resize(std::min(name.size(), kLongestName));
-  while (!name.empty() && name.back() == '-') name.pop_back();
-  return name.empty() ? "item" : name;
-}
 
 Rubric load_rubric(const fs::path& path, const std::string& dialect) {
   Rubric rubric = RubricReader(fs::exists(path) ? path : rubric_path(path)).read();

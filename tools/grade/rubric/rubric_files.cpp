@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +21,9 @@ namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// File systems allow at most 255 bytes.
+constexpr std::size_t kLongestName = 80;
 
 /// The folder of the shipped rubrics: beside the installed program, or in the sources.
 fs::path shipped_folder() {
@@ -43,6 +47,21 @@ std::vector<std::string> shipped_rubrics() {
 }
 
 }  // namespace
+
+std::string file_name(std::string_view item) {
+  std::string name;
+  for (const char c : item) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (is_plain) {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+  }
+  name.resize(std::min(name.size(), kLongestName));
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "item" : name;
+}
 
 std::optional<fs::path> shipped_rubric(const fs::path& name) {
   if (name.has_parent_path()) return {};
