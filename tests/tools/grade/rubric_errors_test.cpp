@@ -133,6 +133,11 @@ const std::vector<Wrong> kWrong = {
      "item[0].pictures.scenes[0] = \"lecture7/fame.toml\": is neither beside the rubric nor a "
      "scene "
      "that comes with "},
+    {"title = \"A rubric\"\n" + kFormAndItem + kAsked,
+     "conventions = { culling = \"front-faces\" }\n" + kFormAndItem +
+         "[item.pictures]\nscenes = [\"smaller.toml\"]",
+     "9: item[0].pictures.scenes[0] = \"smaller.toml\": contradicts the rubric's conventions: "
+     "conventions.culling = front-faces: culls every root that root = smaller accepts"},
     {kCases, "cases = 4\nscenes = [\"../up.toml\"]",
      "12: item[0].functions.scenes[0] = \"../up.toml\": must be a path below the rubric's folder"},
     {kCases, "cases = 4\nscenes = [\"/etc/passwd\"]",
@@ -165,6 +170,8 @@ const std::vector<Wrong> kWrong = {
 TEST(Rubric, with_an_error_is_refused_with_file_line_field_and_value) {
   const Grading grading;
   const std::string folder = grading.submit("mine", "rays.py");
+  grading.write("smaller.toml", contents(RAYCHECK_SOURCE_DIR "/scene/examples/probe.toml") +
+                                    "[conventions]\nroot = \"smaller\"\n");
   for (const auto& [part, instead, said] : kWrong) {
     const std::string text = replaced(kRubric, part, instead);
     const std::string rubric = grading.write("rubric.toml", text);

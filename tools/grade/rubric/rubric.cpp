@@ -80,6 +80,7 @@ class RubricReader {
         const std::string key = defect.field.substr(defect.field.find('.') + 1);
         fields_.fail(fields_.required(conventions, key), defect.what);
       }
+      conventions_ = rubric.conventions;
       any_sample_ = rubric.any_sample;
       if (any_sample_ && !rubric.conventions.valid.value_or(scene::ValidRoots{}).is_usual()) {
         fields_.fail(fields_.required(conventions, "samples"),
@@ -410,6 +411,10 @@ class RubricReader {
     if (pictures && scene.camera->width > kMostGradedPixels / scene.camera->height) {
       fields_.fail(field, "has more than 65536 pixels");
     }
+    const std::vector<scene::Defect> wrong = defects(conventions_.over(scene.conventions));
+    if (!wrong.empty()) {
+      fields_.fail(field, "contradicts the rubric's conventions: " + sentences(wrong));
+    }
     files_[name] = path;
     return {name, scene};
   }
@@ -427,6 +432,7 @@ class RubricReader {
   TomlFields fields_;
   Tolerance tolerance_;
   double unit_ = properties::kDoubleRoundoff;  ///< The unit of every tolerance.
+  contract::DeclaredConventions conventions_;
   bool is_of_depths_ = false, any_sample_ = false;
   std::set<std::string> names_;
   std::set<std::string> file_names_;
