@@ -108,11 +108,11 @@ class RubricReader {
     return value;
   }
   template <class Read, class Value>
-  void read_by(Read read, const Table& from, std::string_view key, Value& value) const {
+  void read_by(Read parse, const Table& from, std::string_view key, Value& value) const {
     const auto field = fields_.optional(from, key);
     if (!field) return;
     try {
-      value = read(fields_.text(*field));
+      value = parse(fields_.text(*field));
     } catch (const std::invalid_argument& error) {
       fields_.fail(*field, error.what());
     }
