@@ -23,8 +23,7 @@ void Tally::merge(const Tally& other) {
     wrong_by_standing[k] += other.wrong_by_standing[k];
   }
   for (std::size_t k = 0; k < kExpectedCount; ++k) {
-    answered[k].asked += other.answered[k].asked;
-    answered[k].right += other.answered[k].right;
+    answered[k].merge(other.answered[k]);
   }
   errors.merge(other.errors);
   least_bound = std::min(least_bound, other.least_bound);

@@ -58,8 +58,17 @@ struct Stability {
 struct Answered {
   std::uint64_t asked = 0;
   std::uint64_t right = 0;
+  void merge(const Answered& other) {
+    asked += other.asked;
+    right += other.right;
+  }
   void serialize(auto& archive) { archive(asked, right); }
 };
+
+/// Questions whose answers the smallest change of the inputs turns over, so that they are only
+/// counted: exact tangents, where they count as hits; and hits at s = 0 that are missed.
+enum class Fact { kTangent, kMissedAtZero };
+inline constexpr std::size_t kFactCount = 2;
 
 /// The comparisons of one quantity. The result does not depend on the order in which parts are
 /// counted and merged; its memory does not grow with their number (properties/quantile_sketch.h).

@@ -77,6 +77,7 @@ void Verdict::merge(const Verdict& other) {
   for (const auto& [quantity, tally] : other.tallies_) tallies_[quantity].merge(tally);
   for (std::size_t k = 0; k < kStandingCount; ++k) by_standing_[k] += other.by_standing_[k];
   tolerated_ += other.tolerated_;
+  for (std::size_t k = 0; k < kFactCount; ++k) facts_[k].merge(other.facts_[k]);
   kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }

@@ -53,6 +53,13 @@ class Verdict {
   }
   /// Counts an answer that is wrong.
   void judged_wrong(const Decision& decision, Standing standing);
+  /// Counts an answer about an exact tangent or a hit at s = 0.
+  void note(Fact fact, bool is_hit) {
+    Answered& answers = facts_[static_cast<std::size_t>(fact)];
+    ++answers.asked;
+    answers.right += is_hit ? 1 : 0;
+  }
+  const Answered& fact(Fact fact) const { return facts_[static_cast<std::size_t>(fact)]; }
   /// Adds a discrepancy under this verdict's law.
   void add(Discrepancy discrepancy);
   void merge(const Verdict& other);
@@ -93,7 +100,9 @@ class Verdict {
   std::optional<CodeLine> failed_at(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
   /// Without the law that it belongs to.
-  void serialize(auto& archive) { archive(left_out_, tallies_, kept_, by_standing_, tolerated_); }
+  void serialize(auto& archive) {
+    archive(left_out_, tallies_, kept_, by_standing_, tolerated_, facts_);
+  }
 
  private:
   void prune();
@@ -105,6 +114,7 @@ class Verdict {
   std::vector<Discrepancy> kept_;
   std::array<std::uint64_t, kStandingCount> by_standing_ = {};
   std::uint64_t tolerated_ = 0;
+  std::array<Answered, kFactCount> facts_ = {};
 };
 
 }  // namespace raycheck::properties

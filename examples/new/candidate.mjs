@@ -9,5 +9,5 @@ function intersect({ origin, direction }, { centre, radius }) {
 // root: "smaller" is always v - d. Add what applies to your code: precision: "single" if it
 // computes in floats; roots: { ends: "()", tMin: 1e-3, unit: "length" } if it ignores hits nearer
 // than 1e-3; directions: "unit" if it requires unit directions; returns: "parameter", "point",
-// "distance", "squared-distance", "class" or "roots".
+// "distance", "squared-distance", "class" (it declares its root, too) or "roots".
 run("NAME", { root: "nearest", tangent: "either", intersect });

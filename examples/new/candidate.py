@@ -11,5 +11,6 @@ def intersect(ray, sphere, conventions):
 # root="smaller" is always v - d. Add what applies to your code: precision="single" if it computes
 # in floats; roots=rc.Roots("()", 1e-3, float("inf"), "length", "none") if it ignores hits nearer
 # than 1e-3; directions="unit" if it requires unit directions; returns="parameter", "point",
-# "distance", "squared-distance", "class" or "roots".
+# "distance", "squared-distance", "class" (it declares its root, too) or
+# "roots".
 rc.run("NAME", root="nearest", tangent="either", intersect=intersect)

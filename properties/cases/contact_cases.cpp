@@ -55,10 +55,48 @@ Case tangent_ulps(int severity, std::uint64_t seed) {
   return result;
 }
 
+/// An integer vector with an integer length: a Pythagorean quadruple, by Euler's parametrisation
+/// with numbers up to `most`.
+struct WholeVector {
+  std::array<std::int64_t, 3> coordinates;
+  std::int64_t length;
+};
+WholeVector whole_vector(Random& draw, std::int64_t most) {
+  const std::int64_t m = draw.integer(1, most);
+  const std::int64_t n = draw.integer(-most, most);
+  const std::int64_t p = draw.integer(-most, most);
+  const std::int64_t q = draw.integer(-most, most);
+  const std::array<std::int64_t, 3> vector = {m * m + n * n - p * p - q * q, 2 * (m * q + n * p),
+                                              2 * (n * q - m * p)};
+  const auto turns = static_cast<std::size_t>(draw.integer(0, 2));
+  return {{vector[turns], vector[(turns + 1) % 3], vector[(turns + 2) % 3]},
+          m * m + n * n + p * p + q * q};
+}
+
+/// A ray along an axis, as reflections and shadows start: the origin is exactly on the sphere. All
+/// numbers have few digits, so that the usual formulas are exact.
+Case from_surface(int /*severity*/, std::uint64_t seed) {
+  Random random(seed);
+  Case result;
+  result.scene.conventions = any_conventions(random);
+  const auto [to_centre, radius] = whole_vector(random, 2);
+  const int exponent = static_cast<int>(random.integer(-2, 2));
+  std::array<double, 3> origin, centre;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int64_t from = random.integer(-8, 8);
+    origin[k] = std::ldexp(static_cast<double>(from), exponent);
+    centre[k] = std::ldexp(static_cast<double>(from + to_centre[k]), exponent);
+  }
+  result.scene.rays.push_back({{origin[0], origin[1], origin[2]},
+                               turned(Vector3{random.sign(), 0, 0}, random.integer(0, 2))});
+  result.scene.spheres.push_back(
+      {{centre[0], centre[1], centre[2]}, std::ldexp(static_cast<double>(radius), exponent)});
+  return result;
+}
+
 constexpr int kExactlyOnSurface = 16;
 
-/// All numbers are integers times one power of two. C - L and the radius are a Pythagorean
-/// quadruple (Euler's parametrisation), so that |C - L| = r exactly.
+/// All numbers are integers times one power of two, so that |C - L| = r exactly.
 Case on_surface(Random& random) {
   const auto bits = random.integer(1, 25);
   const std::int64_t reach = std::int64_t{1} << std::min<std::int64_t>(52, 2 * bits + 4);
@@ -70,18 +108,10 @@ Case on_surface(Random& random) {
   };
   const Point3 start = {as_length(origin[0]), as_length(origin[1]), as_length(origin[2])};
   return ray_case(random, start, [&](Random& draw, const Line&) {
-    const std::int64_t most = std::int64_t{1} << bits;
-    const std::int64_t m = draw.integer(1, most);
-    const std::int64_t n = draw.integer(-most, most);
-    const std::int64_t p = draw.integer(-most, most);
-    const std::int64_t q = draw.integer(-most, most);
-    const std::array<std::int64_t, 3> to_centre = {m * m + n * n - p * p - q * q,
-                                                   2 * (m * q + n * p), 2 * (n * q - m * p)};
-    const auto turns = static_cast<std::size_t>(draw.integer(0, 2));
-    return Sphere{
-        {as_length(origin[0] + to_centre[turns]), as_length(origin[1] + to_centre[(turns + 1) % 3]),
-         as_length(origin[2] + to_centre[(turns + 2) % 3])},
-        as_length(m * m + n * n + p * p + q * q)};
+    const auto [to_centre, radius] = whole_vector(draw, std::int64_t{1} << bits);
+    return Sphere{{as_length(origin[0] + to_centre[0]), as_length(origin[1] + to_centre[1]),
+                   as_length(origin[2] + to_centre[2])},
+                  as_length(radius)};
   });
 }
 
@@ -156,6 +186,12 @@ Case horizon(int severity, std::uint64_t seed) {
 
 // ray_cases.cpp explains how the levels were measured.
 constexpr CaseSource kContactSourceTable[] = {
+    {"from-surface",
+     "rays along an axis from exactly the surface, in numbers of few digits",
+     false,
+     // No method needs an excuse, except for hits at s = 0.
+     {},
+     from_surface},
     {"tangency", "rays that pass a centre at the distance r (1 +- 10^-k)", false,
      // The textbook's class is wrong from @10 on (kahan; quadratic, lecture: @11), its s and Q at
      // every severity, being up to 10^3 radii away. direct/cross needs excuses from @15 on.

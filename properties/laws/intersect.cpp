@@ -32,6 +32,11 @@ struct Encounter {
   bool is_at_start() const {
     return exact != nullptr && properties::is_at_start(ray, sphere, trial.candidate());
   }
+  /// Whether the exact hit is at s = 0, at a root.
+  bool is_at_zero() const {
+    return exact != nullptr && exact->hit_class == HitClass::kHit && !is_at_start() &&
+           ray.compare_parameter(sphere, *exact, 0, scene::TUnit::kAbsolute) == 0;
+  }
   bool is_at_other_root() const {
     return properties::is_at_other_root(answer_of(ray, sphere, answer), *exact, trial.candidate());
   }
@@ -122,23 +127,28 @@ void for_each_common_hit(Trial& trial, Visit visit) {
   });
 }
 
-/// The number of pairs that are not judged: exact tangents.
-std::size_t count_unjudged(Trial& trial) {
+/// Counts the answers about exact tangents; returns the number that is not judged.
+std::size_t note_tangents(Trial& trial, Verdict& verdict) {
   std::size_t count = 0;
+  const scene::Tangent tangent = trial.conventions().tangent;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
-      count += is_unjudged(meeting.intersection, trial.conventions().tangent) ? 1 : 0;
+      if (meeting.intersection.hit_class != HitClass::kTangent) continue;
+      count += tangent == scene::Tangent::kEither ? 1 : 0;
+      if (tangent == scene::Tangent::kMiss) continue;
+      verdict.note(Fact::kTangent, find_hit(trial.hits(sphere), meeting.ray) != nullptr);
     }
   }
   return count;
 }
 
 void judge_class(Trial& trial, Verdict& verdict) {
-  const std::size_t unjudged = count_unjudged(trial);
+  const std::size_t unjudged = note_tangents(trial, verdict);
   std::size_t misses = trial.ray_count() * trial.scene().spheres.size() - unjudged;
   for_each_encounter(trial, [&](const Encounter& at) {
     const bool missed = at.answer == nullptr;
     const bool false_hit = at.exact == nullptr;
+    if (missed && at.is_at_zero()) verdict.note(Fact::kMissedAtZero, false);
     trial.judge(
         verdict,
         {Quantity::kClass, false_hit ? Expected::kMiss : Expected::kHit, at.place(),

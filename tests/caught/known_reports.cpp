@@ -146,6 +146,61 @@ Hit epsilon(const Ray& ray, const Sphere& sphere, const Conventions& conventions
   return far_counts ? hit_at(ray, roots.larger) : Hit();
 }
 
+/// From inside 0, and behind the ray the larger root, which is negative.
+Hit solid_and_behind(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  if (norm(sphere.centre - ray.origin) <= sphere.radius) return hit_at(ray, 0);
+  const Roots roots = right_roots(ray, sphere);
+  if (!meets(roots, conventions)) return {};
+  return hit_at(ray, roots.smaller >= 0 ? roots.smaller : roots.larger);
+}
+
+Hit near_roots_become_one(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  Roots roots = right_roots(ray, sphere);
+  if (roots.half_chord_sq >= 0 && roots.half_chord_sq < 1e-5) {
+    roots.smaller = roots.larger = roots.axial_distance / norm(ray.direction);
+  }
+  return usual_choice(ray, roots, conventions);
+}
+
+/// Where |c| is small, the origin counts as on the surface, from which only the far root is ahead.
+Hit small_c_is_surface(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const double t = norm(sphere.centre - ray.origin);
+  if (std::abs((t - sphere.radius) * (t + sphere.radius)) >= 1e-12) {
+    return right(ray, sphere, conventions);
+  }
+  const Roots roots = right_roots(ray, sphere);
+  return roots.axial_distance > 0 && conventions.root != scene::Root::kSmaller
+             ? hit_at(ray, roots.larger)
+             : Hit();
+}
+
+/// From exactly the surface, the middle of the chord in place of its end.
+Hit half_a_chord(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Vector3 T = sphere.centre - ray.origin;
+  const Hit hit = right(ray, sphere, conventions);
+  if (!hit || dot(T, T) != sphere.radius * sphere.radius) return hit;
+  return hit_at(ray, dot(T, ray.direction) / dot(ray.direction, ray.direction));
+}
+
+/// r^2 in 32-bit integers, with the usual overflow; radii are those of whole units.
+Hit square_overflows(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  constexpr double kLargest = 46340;  // its square is below 2^31
+  if (sphere.radius <= kLargest || sphere.radius >= 0x1p31) return right(ray, sphere, conventions);
+  const auto r = static_cast<std::uint32_t>(sphere.radius);
+  const auto square = static_cast<std::int32_t>(r * r);
+  const Vector3 T = sphere.centre - ray.origin;
+  const double a = dot(ray.direction, ray.direction), b = dot(T, ray.direction);
+  const double discriminant = b * b - a * (dot(T, T) - square), root = std::sqrt(discriminant);
+  return usual_choice(ray, {b, discriminant, (b - root) / a, (b + root) / a}, conventions);
+}
+
+/// Every root ahead of the ray is a hit, also beyond the end of a segment.
+Hit beyond_the_end(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  Conventions of_rays = conventions;
+  of_rays.valid = {};
+  return right(ray, sphere, of_rays);
+}
+
 Hit behind_counts(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
   const Roots roots = right_roots(ray, sphere);
   return meets(roots, conventions) ? hit_at(ray, roots.smaller) : Hit();
@@ -263,16 +318,61 @@ std::span<const KnownReport> known_reports() {
        "behind-counts",
        behind_counts,
        {"s >= 0 is not tested: spheres behind the origin are hit"}},
+      {.thread = "urho3d/urho3d, Ray::HitDistance in its source",
+       .said = "0 from inside, and a negative distance for spheres behind",
+       .mutant = "solid-and-behind",
+       .hit = solid_and_behind},
+      {.thread = "godotengine/godot, segment_intersects_sphere in its source",
+       .said = "roots closer than about 1e-5 become one",
+       .mutant = "near-roots-become-one",
+       .hit = near_roots_become_one},
+      {.thread = "openmc-dev/openmc, SurfaceSphere::distance in its source",
+       .said =
+           "where |c| is below 1e-12 the origin counts as on the surface, also of small spheres",
+       .mutant = "small-c-is-surface",
+       .hit = small_c_is_surface},
+      {.thread = "CesiumGS/cesium, IntersectionTests.rayEllipsoid in its source",
+       .said = "from exactly the surface, the end is half of the chord",
+       .mutant = "half-a-chord",
+       .hit = half_a_chord},
+      {.thread = "armory3d/armory#2574",
+       .said = "r * r overflows in integers",
+       .mutant = "square-overflows",
+       .hit = square_overflows},
+      {.thread = "skyfielders/python-skyfield#831",
+       .said = "a sphere beyond the end of the segment hides, too",
+       .mutant = "beyond-the-end",
+       .hit = beyond_the_end,
+       .valid = {.t_max = 1}},
+      {.thread = "raysect/source#391",
+       .said = "all pixels are half a pixel off",
+       .mutant = "half-a-pixel"},
+      {.thread = "o3de/o3de#19600",
+       .said = "the camera's position is added, and subtracted again",
+       .mutant = "eye-added-and-subtracted"},
+      {.thread = "nerfstudio-project/nerfstudio#2588",
+       .said = "the near plane is a sphere around the eye",
+       .mutant = "curved-plane"},
   };
   return kReports;
 }
 
 Candidate candidate_of(const KnownReport& report) {
   Candidate candidate;
+  if (report.hit == nullptr) {
+    const std::vector<mutants::Mutant> all = mutants::all_mutants();
+    candidate = std::ranges::find_if(all, [&](const mutants::Mutant& one) {
+                  return one.candidate.name == report.mutant;
+                })->candidate;
+    candidate.refuses = false;
+    candidate.level = properties::Level::kOrdinary;
+    return candidate;
+  }
   static_cast<properties::Promises&>(candidate) = mutants::unmutated();
   candidate.refuses = false;
   candidate.level = properties::Level::kOrdinary;
   candidate.name = report.mutant;
+  if (!report.valid.is_usual()) candidate.declared.valid = report.valid;
   properties::answer_by(candidate, [hit = report.hit](Candidate::Rays rays, const Sphere& sphere,
                                                       const Conventions& conventions) {
     std::vector<Hit> hits;

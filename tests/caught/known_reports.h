@@ -16,7 +16,8 @@ struct KnownReport {
   std::string_view thread;  ///< "owner/name#number", or several that report the same.
   std::string_view said;
   std::string_view mutant;  ///< The name of its mutant.
-  /// The reported formula; everything else of the mutant is right.
+  /// The reported formula; everything else of the mutant is right. Null: the mutant of this name in
+  /// tests/mutants.
   properties::Hit (*hit)(const scene::Ray&, const scene::Sphere&, const scene::Conventions&);
   /// The causes that the default run must name, in all broken laws together.
   std::vector<std::string> sentences = {};
@@ -24,6 +25,7 @@ struct KnownReport {
   std::string_view needed = {};
   bool is_found = true;
   scene::Precision precision = scene::Precision::kDouble;
+  scene::ValidRoots valid = {};  ///< The roots that it declares to count.
 };
 std::span<const KnownReport> known_reports();
 

@@ -152,6 +152,14 @@ std::vector<Mutant> ray_mutants() {
                          const double size = length(P - c.eye);
                          return scaled(size / (size + 1e-9), D);
                        })},
+      {"E is added and subtracted again: D = (P - E)/|P - E|",
+       {"direction"},
+       with_directions("eye-added-and-subtracted",
+                       [](const Camera& c, const Point3& P, const Vector3&) {
+                         const Vector3 g = P - c.eye;
+                         return scaled(1 / length(g), g);
+                       }),
+       Level::kDemanding},
       from_mistake("backwards", "directions run from the pixel to the eye: D = (E - P)/|E - P|",
                    {"direction"}),
       from_mistake("eye-plus-point",

@@ -158,7 +158,8 @@ std::string failed_question_text(const CheckReport& report) {
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
       if (!discrepancy.failed.scene) continue;
       const std::string comment =
-          fmt::format("{} fails here: {}", candidate.name, place_text(discrepancy.place));
+          fmt::format("{} fails here: {}", shown_name(report.candidates, candidate.implementation),
+                      place_text(discrepancy.place));
       return "\na failing question, as a scene for `raycheck check`:\n" +
              indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ") +
              replay_text(report, candidate, discrepancy);
@@ -169,7 +170,9 @@ std::string failed_question_text(const CheckReport& report) {
 
 std::string candidate_text(const CheckReport& report, const CandidateReport& candidate) {
   const Implementation& implementation = candidate.implementation;
-  std::string text = "\n" + candidate.name;
+  const std::string& own = implementation.own_name;
+  std::string text =
+      "\n" + (own.empty() ? candidate.name : fmt::format("{} ({})", own, candidate.name));
   if (!implementation.isolated_by.empty()) text += "  isolated by: " + implementation.isolated_by;
   text += "\n";
   if (!implementation.bounds_of.empty() && !report.max_error) {
@@ -257,7 +260,9 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
         return std::ranges::find(other.left_out, entry) != other.left_out.end();
       });
       if (all && &candidate != &report.candidates.front()) continue;
-      add_to(groups, {all ? "" : candidate.name + ", ", entry.reason}, entry.law);
+      const std::string of =
+          all ? "" : shown_name(report.candidates, candidate.implementation) + ", ";
+      add_to(groups, {of, entry.reason}, entry.law);
     }
   }
   for (const auto& [of, laws] : groups) {
@@ -288,7 +293,8 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     text += fmt::format("\nworst discrepancies, {} of {} (in all {}):\n", ranked.size(), total,
                         standings_text([&](Standing one) { return report.count(one); }));
     for (std::size_t k = 0; k < ranked.size(); ++k) {
-      text += fmt::format("{:>3}. {}\n", k + 1, ranked[k].candidate->name);
+      text += fmt::format("{:>3}. {}\n", k + 1,
+                          shown_name(report.candidates, ranked[k].candidate->implementation));
       text += indented(discrepancy_text(ranked[k].discrepancy, options.colours), "     ");
     }
     text += failed_question_text(report);

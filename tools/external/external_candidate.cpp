@@ -188,7 +188,9 @@ class Conversation {
       reply = reply_to(request, lines);
       return read(Reply(reply.text, reply.id));
     } catch (const ProcessFailure& failure) {
-      if (failure.kind() == FailureKind::kTimeUp) shares_timed_out_ += share_;
+      if (failure.kind() == FailureKind::kTimeUp) {
+        shares_timed_out_ += share_ * (process_ ? process_->limits_waited() : 1);
+      }
       const auto line = line_in(process_ ? process_->unfinished() : "");
       AnswerFailure words{fmt::format("{}: it {}{}{}{}", function, failure.what(), line_text(line),
                                       last_line_text(error_output()),
@@ -294,7 +296,8 @@ class Conversation {
   bool introduction_heard_ = true;  ///< Whether the introduction of the current process was read.
   double share_ = 1;
   bool is_asked_anew_ = false;
-  double shares_timed_out_ = 0;  ///< The sum of their shares of the time limit.
+  /// The sum of their shares of the time limit, each times the limits that it waited.
+  double shares_timed_out_ = 0;
   std::mt19937_64 ids_{std::random_device{}()};
 };
 

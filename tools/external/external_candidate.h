@@ -73,8 +73,8 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// reply, the functions throw properties::CandidateFailed with the name of the function, and the
 /// source line if it is known. A failed request is not sent again; the next request goes to a fresh
 /// process. The functions throw properties::CandidateUnavailable if no process can be started, or
-/// after time-outs that add up to kMostTimeouts times the time limit for a reply. Every failure
-/// sets `last`.
+/// after time-outs that add up to kMostTimeouts times the time limit for a reply, in CPU time or in
+/// waiting. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -114,5 +115,16 @@ std::vector<std::string> lasting_names(const std::vector<Implementation>& implem
 /// The isolation of external candidates, the methods whose bounds apply to them, and their
 /// precision. Candidates with the same values share a line.
 std::string isolation_text(const std::vector<Implementation>& implementations);
+
+/// The name that a candidate declares, if no other has it; otherwise its name on the command line.
+/// Each of the reports has an `implementation`.
+template <class Reports>
+std::string shown_name(const Reports& reports, const Implementation& candidate) {
+  const bool is_shared = std::ranges::any_of(reports, [&](const auto& other) {
+    return other.implementation.name != candidate.name &&
+           other.implementation.own_name == candidate.own_name;
+  });
+  return candidate.own_name.empty() || is_shared ? candidate.name : candidate.own_name;
+}
 
 }  // namespace raycheck::tools

@@ -14,6 +14,10 @@ Json counts_json(const properties::CaseCounts& counts, const properties::Verdict
           {"comparisons", verdict.compared()},
           {"discrepancies_by_standing", standings_json(verdict)},
           {"tolerated", verdict.tolerated()},
+          {"tangents", verdict.fact(properties::Fact::kTangent).asked},
+          {"tangents_missed", verdict.fact(properties::Fact::kTangent).asked -
+                                  verdict.fact(properties::Fact::kTangent).right},
+          {"missed_at_zero", verdict.fact(properties::Fact::kMissedAtZero).asked},
           {"left_out", counts.left_out},
           {"not_judged", counts.not_judged},
           {"given_rays", counts.given_rays},

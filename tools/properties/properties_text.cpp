@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
-#include <optional>
 #include <set>
 #include <span>
 #include <string_view>
@@ -15,6 +13,7 @@
 #include "scene/number.h"
 #include "scene/precision.h"
 #include "scene/text.h"
+#include "tools/properties/first_lines.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
@@ -96,20 +95,18 @@ std::string counts_text(const CampaignResult& result) {
   return parts.empty() ? text : text + "; of the cases: " + parts.substr(2);
 }
 
-std::string campaign_text(const CampaignReport& campaign, bool colours) {
+std::string campaign_text(const PropertiesReport& report, const CampaignReport& campaign,
+                          bool colours) {
   const CampaignResult& result = campaign.result;
   std::string text =
-      fmt::format("{:<16} {:<26} {} on {} cases ({})\n", campaign.law->name, campaign.candidate,
-                  finding_text(campaign, colours), name(result.level), counts_text(result));
+      fmt::format("{:<16} {:<26} {} on {} cases ({})\n", campaign.law->name,
+                  name_in_rows(report, campaign.candidate), finding_text(campaign, colours),
+                  name(result.level), counts_text(result));
   if (result.verdict.tolerated() > 0) {
     text += "    " + tolerated_text(result.verdict, campaign.implementation.tolerances);
   }
   if (campaign.finding != Finding::kTooFewJudged) return text;
   return text + fmt::format("    {}\n", too_few_text(result));
-}
-
-void add_law(const CampaignReport& campaign, std::string& laws) {
-  laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
 }
 
 bool has_one_candidate(const PropertiesReport& report) {
@@ -124,7 +121,7 @@ std::string left_out_text(const PropertiesReport& report) {
   Grouped<std::pair<std::string, std::string>> all;  // laws by candidate and reason
   for (const CampaignReport& campaign : report.campaigns) {
     if (campaign.finding != Finding::kLeftOut) continue;
-    add_to(all, {campaign.candidate, campaign.result.counts.reason},
+    add_to(all, {name_in_rows(report, campaign.candidate), campaign.result.counts.reason},
            std::string(campaign.law->name));
   }
   const bool is_one = has_one_candidate(report);
@@ -135,83 +132,6 @@ std::string left_out_text(const PropertiesReport& report) {
                     is_one ? "" : fmt::format("{}: ", of.first), scene::joined(laws), of.second);
   }
   return text;
-}
-
-/// Why laws are broken: "rows are upside down (20 of 20 wrong answers)". The cause that explains
-/// most answers comes first, and the laws without a known cause last.
-std::string causes_text(const std::vector<const CampaignReport*>& broken) {
-  struct Cause {
-    const properties::Explanation* best;
-    std::string laws;
-  };
-  std::vector<Cause> causes;
-  std::string unexplained;
-  for (const CampaignReport* campaign : broken) {
-    const auto& all = campaign->explanations;
-    const auto best = std::ranges::max_element(all, {}, &properties::Explanation::explained);
-    if (best == all.end() || best->explained == 0) {
-      add_law(*campaign, unexplained);
-      continue;
-    }
-    auto known = std::ranges::find_if(
-        causes, [&](const Cause& cause) { return cause.best->sentence == best->sentence; });
-    if (known == causes.end()) known = causes.insert(known, {&*best, ""});
-    if (best->explained > known->best->explained) known->best = &*best;
-    add_law(*campaign, known->laws);
-  }
-  if (causes.empty()) return "breaks " + unexplained;
-  std::ranges::stable_sort(
-      causes, [](const Cause& a, const Cause& b) { return a.best->explained > b.best->explained; });
-  const bool is_all = causes.size() == 1 && unexplained.empty();
-  std::string text;
-  for (const auto& [best, laws] : causes) {
-    text += fmt::format("{}{} (explains {}{})", text.empty() ? "" : "; ", best->sentence,
-                        wrong_share_text(best->explained, best->errors, "answers"),
-                        is_all ? "" : " of " + laws);
-  }
-  return text + (unexplained.empty() ? "" : "; unexplained: " + unexplained);
-}
-
-/// The summary of an external candidate's campaigns: the mistakes that explain most errors and, if
-/// known, the level up to which it is right.
-std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
-  std::optional<Level> broken, held;
-  std::vector<const CampaignReport*> all_broken;
-  std::string open, failure;
-  bool is_outside = false;
-  for (const CampaignReport* campaign : campaigns) {
-    if (campaign->finding == Finding::kHolds) {
-      held = std::max(held.value_or(Level::kOrdinary), campaign->result.level);
-    } else if (campaign->finding == Finding::kUndecided ||
-               campaign->finding == Finding::kTooFewJudged) {
-      add_law(*campaign, open);
-    }
-    is_outside = is_outside || campaign->finding == Finding::kNotJudged;
-    const auto& parts = campaign->result.parts;
-    if (campaign->result.failure && std::ranges::all_of(parts, &CampaignPart::failed_at_once)) {
-      failure = campaign->result.failure->verdict.worst(1).front().what;
-    }
-    if (campaign->finding != Finding::kBroken) continue;
-    all_broken.push_back(campaign);
-    for (const CampaignPart& part : campaign->result.parts) {
-      if (part.is_broken())
-        broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
-    }
-  }
-  if (!held && !failure.empty()) return fmt::format("gives no answers: {}", failure);
-  if (!broken && !open.empty())
-    return fmt::format("no law is broken, but these are undecided or too rarely judged: {}", open);
-  if (!broken && !held) {
-    return is_outside ? "nothing judged: no case lies within the lengths that it declares"
-                      : "nothing judged: it has no function that these laws test";
-  }
-  if (!broken) return fmt::format("right on all {} cases that were tried", name(*held));
-  const std::string right =
-      *broken > Level::kOrdinary
-          ? fmt::format("right on {} cases; ",
-                        name(static_cast<Level>(static_cast<int>(*broken) - 1)))
-          : "";
-  return right + causes_text(all_broken);
 }
 
 /// The cases of the corpus that still break their law, the cases that no longer do, and their
@@ -256,22 +176,6 @@ std::string time_text(const PropertiesReport& report) {
     text += fmt::format("{} {} {}", text.back() == ':' ? "" : ",", cases, source);
   }
   return text + "\n";
-}
-
-/// A line about each external candidate, if several laws were tried.
-std::string first_sentences(const PropertiesReport& report) {
-  std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
-  for (const CampaignReport& campaign : report.campaigns) {
-    if (!campaign.implementation.methods) by_candidate[campaign.candidate].push_back(&campaign);
-  }
-  std::string text;
-  for (const auto& [candidate, campaigns] : by_candidate) {
-    if (campaigns.size() < 2) continue;
-    const std::string& own = campaigns.front()->implementation.own_name;
-    text += fmt::format("{}{}: {}\n", candidate, own.empty() ? "" : " (" + own + ")",
-                        first_sentence(campaigns));
-  }
-  return text;
 }
 
 }  // namespace
@@ -396,15 +300,15 @@ std::string too_few_text(const CampaignResult& result) {
 }
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
-  std::string text = first_sentences(report) + corpus_text(report);
+  std::string text = first_lines(report) + corpus_text(report);
   for (const BorrowedBounds& bounds : report.borrowed) {
     text +=
         fmt::format("{} states no error bounds, so those of {} apply; --bounds chooses others\n",
-                    bounds.candidate, bounds.methods);
+                    name_in_rows(report, bounds.candidate), bounds.methods);
   }
   for (const CampaignReport& campaign : report.campaigns) {
     if (campaign.finding == Finding::kLeftOut) continue;
-    text += campaign_text(campaign, options.colours);
+    text += campaign_text(report, campaign, options.colours);
     if (campaign.worst) {
       text += fmt::format("    {}: {} by random cases, {} by climbing\n",
                           properties::kClimbNames[static_cast<std::size_t>(*report.target)],

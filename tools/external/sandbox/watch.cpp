@@ -102,6 +102,10 @@ double Watch::taken() const {
 
 double Watch::waited() const { return waited_ + duration<double>(Clock::now() - looked_).count(); }
 
+double Watch::limits_waited() const {
+  return std::max(1.0, waited() / std::max(limits_.seconds, kLeastBackstop));
+}
+
 milliseconds Watch::until_next() const {
   return std::max(duration_cast<milliseconds>(next_ - Clock::now()) + milliseconds(1),
                   milliseconds(1));

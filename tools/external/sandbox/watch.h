@@ -58,6 +58,8 @@ class Watch {
   /// The time charged since the last restart, in seconds: the CPU time at the last check, but at
   /// least 1/kBackstop of the waiting time. If it was stopped because of its time, the full limit.
   double taken() const;
+  /// The waiting time since the last restart over the time limit, but at least 1.
+  double limits_waited() const;
   /// The longest wait until the next check.
   std::chrono::milliseconds until_next() const;
 
