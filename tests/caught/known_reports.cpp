@@ -169,7 +169,8 @@ Hit small_c_is_surface(const Ray& ray, const Sphere& sphere, const Conventions& 
     return right(ray, sphere, conventions);
   }
   const Roots roots = right_roots(ray, sphere);
-  return roots.axial_distance > 0 && conventions.root != scene::Root::kSmaller
+  return meets(roots, conventions) && roots.axial_distance > 0 &&
+                 conventions.root != scene::Root::kSmaller
              ? hit_at(ray, roots.larger)
              : Hit();
 }
@@ -321,38 +322,55 @@ std::span<const KnownReport> known_reports() {
       {.thread = "urho3d/urho3d, Ray::HitDistance in its source",
        .said = "0 from inside, and a negative distance for spheres behind",
        .mutant = "solid-and-behind",
-       .hit = solid_and_behind},
+       .hit = solid_and_behind,
+       .sentences = {"spheres are solid: from inside s is 0; and v + d counts even if it is "
+                     "negative"}},
       {.thread = "godotengine/godot, segment_intersects_sphere in its source",
        .said = "roots closer than about 1e-5 become one",
        .mutant = "near-roots-become-one",
-       .hit = near_roots_become_one},
+       .hit = near_roots_become_one,
+       .sentences = {"where d^2 is below about 1e-10 (the limit may be larger) v is taken for both "
+                     "roots: the epsilon is too large",
+                     "where d^2 is below about 1e-7 (the limit may be larger) v is taken for both "
+                     "roots: the epsilon is too large"}},
       {.thread = "openmc-dev/openmc, SurfaceSphere::distance in its source",
        .said =
            "where |c| is below 1e-12 the origin counts as on the surface, also of small spheres",
        .mutant = "small-c-is-surface",
-       .hit = small_c_is_surface},
+       .hit = small_c_is_surface,
+       .needed =
+           "a threshold on |c| among the mistakes; a candidate may declare it, as tolerance_c"},
       {.thread = "CesiumGS/cesium, IntersectionTests.rayEllipsoid in its source",
        .said = "from exactly the surface, the end is half of the chord",
        .mutant = "half-a-chord",
-       .hit = half_a_chord},
+       .hit = half_a_chord,
+       .needed = "a mistake where c is exactly 0"},
       {.thread = "armory3d/armory#2574",
        .said = "r * r overflows in integers",
        .mutant = "square-overflows",
-       .hit = square_overflows},
+       .hit = square_overflows,
+       .sentences = {"r^2 is an integer of 32 bits: it wraps around from a radius of 46,341 on"}},
       {.thread = "skyfielders/python-skyfield#831",
        .said = "a sphere beyond the end of the segment hides, too",
        .mutant = "beyond-the-end",
        .hit = beyond_the_end,
+       .sentences = {"right under t_max = infinity, which the candidate does not declare"},
        .valid = {.t_max = 1}},
       {.thread = "raysect/source#391",
-       .said = "all pixels are half a pixel off",
-       .mutant = "half-a-pixel"},
+       .said = "all pixels are half a pixel off: sampled at their corners, not at their centres",
+       .mutant = "always-corners",
+       .sentences = {"right under samples = corners, which the candidate does not declare"}},
       {.thread = "o3de/o3de#19600",
        .said = "the camera's position is added, and subtracted again",
-       .mutant = "eye-added-and-subtracted"},
+       .mutant = "eye-added-and-subtracted",
+       .needed =
+           "a declared level: the digits that it loses grow with |E|/|P - E|, and up to 1,024 "
+           "this is allowed for code that promises only ordinary cases",
+       .is_found = false},
       {.thread = "nerfstudio-project/nerfstudio#2588",
        .said = "the near plane is a sphere around the eye",
-       .mutant = "curved-plane"},
+       .mutant = "curved-plane",
+       .sentences = {"P lies on a sphere around the eye: P = E + |near| D"}},
   };
   return kReports;
 }
@@ -364,6 +382,7 @@ Candidate candidate_of(const KnownReport& report) {
     candidate = std::ranges::find_if(all, [&](const mutants::Mutant& one) {
                   return one.candidate.name == report.mutant;
                 })->candidate;
+    candidate.image = nullptr;  // whose pixels would be explained, not its rays
     candidate.refuses = false;
     candidate.level = properties::Level::kOrdinary;
     return candidate;
