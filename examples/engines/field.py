@@ -4,8 +4,8 @@
 
 prints a table. With --write it makes DOCS/field.md and DOCS/field/NAME.md from the same run: the kinds of answers that are
 wrong for each engine, the severity up to which they are right, and the smallest cases, each with its exact answer and a
-reproduction without raycheck, which is run. Engines whose package is missing are listed and skipped. BUILD contains
-examples/engines (libraries) and field/npm (node).
+reproduction without raycheck, which is run; with names, the pages and rows of other engines stay as they are. Engines whose
+package is missing are listed and skipped. BUILD contains examples/engines (libraries) and field/npm (node).
 """
 import argparse
 import concurrent.futures
@@ -19,9 +19,10 @@ import sys
 import tempfile
 import tomllib
 
+from tables import FRONTIERS, LEVELS, line, table, write
+
 REPRODUCTION_SECONDS = 1800  # a backstop: a reproduction takes seconds, on a busy machine minutes
 HERE = pathlib.Path(__file__).parent
-LEVELS = ("ordinary", "demanding", "extreme")
 OWN = ("quadratic", "cross", "robust")
 LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "glsl": "GLSL", "opencl": "OpenCL"}
 LAWS = {  # by law: the kind of answer that a column shows
@@ -30,10 +31,6 @@ LAWS = {  # by law: the kind of answer that a column shows
 }
 ANSWERS = ("class", "root", "s", "Q", "picture")  # the kinds that frontiers depend on
 AGREES = {"double": 1e-14, "single": 1e-6}  # relative: what a reproduction prints, and the candidate's answer
-FRONTIERS = {  # frontier columns: by source, the title and the format of a severity
-    "distance": ("far", "10^{} radii"), "tangency": ("grazing", "10^-{} of r"), "scale": ("scale", "2^±{}"),
-    "surface": ("at the surface", "10^-{}"), "inside": ("inside", "10^-{} of r"), "far-world": ("off the origin", "10^{}"),
-}
 
 
 def words_of(engine, build):
@@ -388,10 +385,10 @@ def mildest(pages):
 
 def add_times(pages, raycheck, build):
     """Sets the time for a ray, divided by that of `quadratic`, of engines that can be called in process; one run times all."""
-    libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and page.name not in OWN]
+    libraries = [page for page in pages if page.engine["language"] in ("c++", "c")]
     if not libraries:
         return
-    words = [word for page in libraries for word in ("--candidate", words_of(page.engine, build)[0])]
+    words = [word for page in libraries if page.name not in OWN for word in ("--candidate", words_of(page.engine, build)[0])]
     found = raycheck.json("tradeoff", "--cases", "500", "--sandbox", "none", "--i-know", *words,
                           "--method", ",".join(OWN))["intersections"]
     ns = {one["name"]: (one["call"] or {}).get("median_ns") for one in found}
@@ -399,40 +396,6 @@ def add_times(pages, raycheck, build):
     for page in pages:
         own = ns.get(page.name if page.name in OWN else words_of(page.engine, build)[0])
         page.ratio = own / base if own and base else None
-
-
-def chart(pages, path):
-    """An SVG chart with a dot for each engine: the distance up to which it is right, against its time for a ray."""
-    dots = [(page.ratio, min(max(page.frontiers["distance"], 0), 15), page.name) for page in pages
-            if page.ratio and page.frontiers["distance"] is not None]
-    least, most = (math.log10(choose(ratio for ratio, _, _ in dots)) for choose in (min, max))
-    across = lambda ratio: 70 + 780 * (math.log10(ratio) - least) / max(most - least, 1e-9)
-    up = lambda held: 500 - 28 * held
-    lines = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 960 560" font-family="sans-serif" font-size="11">',
-             '<rect width="960" height="560" fill="white"/>']
-    for held in range(0, 16, 5):
-        lines.append(f'<path d="M60 {up(held)}H930" stroke="#ccc"/><text x="22" y="{up(held) + 4}">10^{held}</text>')
-    for power in range(math.ceil(least), math.floor(most) + 1):
-        x = across(10 ** power)
-        lines.append(f'<path d="M{x:.0f} 60V510" stroke="#ccc"/><text x="{x:.0f}" y="526">{10 ** power:g}</text>')
-    lines += ['<text x="330" y="550">time per ray / that of quadratic</text>',
-              '<text x="22" y="40">right up to this distance, in radii</text>']
-    stacked = {}
-    for ratio, held, name in sorted(dots):
-        below = stacked.setdefault((round(across(ratio) / 90), held), [0])
-        y = up(held) - 11 * below[0]
-        below[0] += 1
-        lines.append(f'<circle cx="{across(ratio):.0f}" cy="{up(held)}" r="3"/><text x="{across(ratio) + 5:.0f}" y="{y - 3}">{name}</text>')
-    path.write_text("\n".join(lines) + "\n</svg>\n")
-
-
-HEAD = (["library", "function"] + list(LEVELS) + [title for title, _ in FRONTIERS.values()]
-        + ["error on ordinary cases: median / worst", "time", "what is wrong"])
-
-
-def table(pages):
-    rows = [HEAD, ["---"] * len(HEAD)] + [[cell.replace("|", "\\|") for cell in page.row()] for page in pages]
-    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
 
 def main():
@@ -445,13 +408,14 @@ def main():
     options = parser.parse_intermixed_args()
     raycheck = Raycheck(options.raycheck, options.cases)
     engines = tomllib.loads((HERE / "engines.toml").read_text())["engine"]
-    unknown = set(options.names) - {engine["name"] for engine in engines} - set(OWN)
+    engines = [{"name": name, "library": "raycheck", "function": name, "language": "c++", "contract": "", "source": "docs/api.md",
+            "version": "this"} for name in OWN] + engines
+    unknown = set(options.names) - {engine["name"] for engine in engines}
     if unknown:
         sys.exit(f"field: no such engine: {', '.join(sorted(unknown))}")
-    own = [{"name": name, "library": "raycheck", "function": name, "language": "c++", "contract": "", "source": "docs/api.md",
-            "version": "this"} for name in OWN]
-    chosen = [engine for engine in own + [e for e in engines if e.get("taken", True)]
-              if not options.names or engine["name"] in options.names]
+    named = {engine.get("of", engine["name"]) for engine in engines if engine["name"] in options.names}  # with all readings
+    chosen = [engine for engine in engines
+              if engine.get("taken", True) and (not named or engine.get("of", engine["name"]) in named)]
     skipped = [engine["name"] for engine in chosen if engine["name"] not in OWN and not words_of(engine, options.build)]
     chosen = [engine for engine in chosen if engine["name"] not in skipped]
     pages, failed = [], []
@@ -472,21 +436,10 @@ def main():
         print(f"skipped: {name}: not installed", file=sys.stderr)
     shown = sum(bool(case.get("reproduction")) for page in pages for case in page.cases.values())
     print(f"reproductions that were run and print the answers of their engines: {shown}", file=sys.stderr)
-    solvers = [page for page in pages if page.engine.get("solver")]
-    pages = [page for page in pages if page not in solvers]
-    print(table(pages + solvers))
+    print(table(line(page.row()) for page in sorted(pages, key=lambda page: bool(page.engine.get("solver")))))
     if options.write and not failed:
-        folder = options.write / "field"
-        folder.mkdir(exist_ok=True)
-        for old in folder.glob("*.md"):
-            old.unlink()
-        for page in pages + solvers:
-            (folder / f"{page.title}.md").write_text(page.text())
-        chart(pages + solvers, folder / "frontier.svg")
-        text = (options.write / "field.in.md").read_text()
-        not_taken = "\n".join(f"- {e['library']} (`{e.get('package', '-')}`)" + (f", `{e['function']}`" if e.get("function") else "") + f": {e['reason']}" for e in engines if not e.get("taken", True))
-        (options.write / "field.md").write_text(text.replace("{table}", table(pages)).replace("{solvers}", table(solvers)).replace("{not taken}", not_taken))
-    sys.exit("\n".join(f"field: {line}" for line in failed) if failed else 0)
+        write(pages, engines, options.write, bool(options.names))
+    sys.exit("\n".join(f"field: {reason}" for reason in failed) if failed else 0)
 
 
 if __name__ == "__main__":
