@@ -82,9 +82,10 @@ enum class Placement { kAnywhere, kOrigin, kUnit };
 inline constexpr std::array<std::string_view, 3> kPlacementNames = {"anywhere", "origin", "unit"};
 constexpr auto& names_of(Placement /*of*/) { return kPlacementNames; }
 
-/// What comes with the eye of a camera: the point A that it looks at, or the view direction A - E.
-enum class View { kLookAt, kDirection };
-inline constexpr std::array<std::string_view, 2> kViewNames = {"look-at", "direction"};
+/// What comes with the eye of a camera: the point A that it looks at, or the view direction A - E;
+/// or A, which is always the centre of the first sphere.
+enum class View { kLookAt, kDirection, kCentre };
+inline constexpr std::array<std::string_view, 3> kViewNames = {"look-at", "direction", "centre"};
 constexpr auto& names_of(View /*of*/) { return kViewNames; }
 
 /// The hit of a ray that starts inside a sphere: a root that counts; the start of the ray, at s =
@@ -118,7 +119,8 @@ void for_each_choice(SomeInterface& interface, Visit visit) {
   visit("pixels", interface.pixels, "the order of a pixel's two indices");
   visit("windows", interface.windows, "the windows of the cameras that it accepts");
   visit("view", interface.view,
-        "what comes with a camera's eye: the point looked at, or the view direction");
+        "what comes with a camera's eye: the point looked at, the view direction, or the point "
+        "where a sphere's centre always is");
   visit("made_directions", interface.made,
         "the length of the directions of the rays that it makes");
   visit("returns", interface.returns, "what it returns for a hit");

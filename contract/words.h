@@ -23,8 +23,8 @@
 namespace raycheck::contract {
 
 /// The functions that a candidate may implement.
-inline constexpr std::array<std::string_view, 6> kFunctions = {
-    "frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "nearest"};
+inline constexpr std::array<std::string_view, 7> kFunctions = {
+    "frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "nearest", "pick"};
 
 /// The ends of an interval as one word, in the order of scene::Ends.
 inline constexpr std::array<std::string_view, 4> kEndsWords = {"[]", "[)", "(]", "()"};

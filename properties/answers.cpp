@@ -89,6 +89,10 @@ bool Answers::has_rays() const {
 const std::vector<Ray>& Answers::rays() {
   if (!case_.scene.camera) return case_.scene.rays;
   return once(rays_, [&] {
+    if (picks() && !has_rays()) {
+      return rounded_rays(ExactCamera(*case_.scene.camera, conventions_), case_.pixels,
+                          candidate_.input_format());
+    }
     auto made =
         candidate_.rays_from(conventions_.origin)(*case_.scene.camera, conventions_, case_.pixels);
     require_count(made, ray_count(), "rays");
@@ -97,6 +101,15 @@ const std::vector<Ray>& Answers::rays() {
 }
 
 const SphereHits& Answers::hits(std::size_t sphere) {
+  if (picks()) {
+    return once(hits_, [&] {
+      auto all =
+          candidate_.pick(*case_.scene.camera, conventions_, case_.pixels, case_.scene.spheres);
+      require_count(all, case_.scene.spheres.size(), "lists of hits");
+      for (const SphereHits& hits : all) require_in_order(hits, case_.pixels.size());
+      return all;
+    })[sphere];
+  }
   const std::vector<Ray>& asked = rays();
   return once(hits_, [&] { return intersect(asked, case_.scene.spheres, conventions_); })[sphere];
 }
@@ -150,7 +163,7 @@ std::vector<std::optional<std::size_t>> Answers::rank(const std::vector<Ray>& ra
 Scene Answers::asked_scene() const {
   Scene scene = case_.scene;
   scene.conventions = conventions_;
-  if (rays_.answers && rays_.answers->size() == 1) {
+  if (rays_.answers && rays_.answers->size() == 1 && !picks()) {
     scene.camera.reset();
     scene.rays = *rays_.answers;
   }

@@ -31,9 +31,12 @@ class Answers {
 
   const FrameAnswer& frame();
   const std::vector<Point3>& pixel_points();
-  /// The rays of the case: the candidate's own under the origin convention, or the given ones.
+  /// The rays of the case: the candidate's own under the origin convention, or the given ones; of a
+  /// candidate that only picks, the exact ones, rounded.
   const std::vector<Ray>& rays();
   bool has_rays() const;
+  /// Whether its hits are those of pixels, from `pick`.
+  bool picks() const { return case_.scene.camera && candidate_.pick; }
   /// Whether the candidate failed to make rays.
   bool lacks_rays() const { return rays_.failure != nullptr; }
   const SphereHits& hits(std::size_t sphere);

@@ -127,6 +127,10 @@ struct Functions {
   }
   /// Every ray with every sphere: one list of hits per sphere.
   CandidateFunction<std::vector<SphereHits>(Rays, Spheres, const Conventions&)> intersect;
+  /// The hits of a camera's pixels with every sphere, without rays: a RayHit has the index of its
+  /// pixel. If set, the hits of a camera's pixels are these.
+  CandidateFunction<std::vector<SphereHits>(const Camera&, const Conventions&, Pixels, Spheres)>
+      pick;
   /// A superset of the hit classes that `intersect` returns for the inputs in these boxes. Code
   /// that replaces `intersect` must empty or replace this function, too.
   CandidateFunction<scene::PossibleClasses(const scene::Box<Ray>&, const scene::Box<Sphere>&,
@@ -224,6 +228,11 @@ struct ImagePolicy {
 /// The code that is judged. Functions that need only a part of it take that base class. Only one
 /// thread at a time may use a candidate: each thread that judges has its own.
 struct Candidate : Functions, Promises, Domain, ImagePolicy {
+  InputFormat input_format() const {
+    InputFormat format = Promises::input_format();
+    format.middle_pixel = static_cast<bool>(pick);
+    return format;
+  }
   std::string name;
   DeclaredConventions declared;
 };

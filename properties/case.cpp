@@ -114,6 +114,7 @@ std::string accepted(contract::Windows windows) {
              : "symmetric windows with square pixels: left = -right < 0, bottom = -top < 0, "
                "right / top = width / height, near < 0, a field of view of at most 166 degrees";
 }
+const char* const kLooksAtCentre = "cameras that look at the centre of a sphere (view centre)";
 
 /// The largest half of a window over near if it follows from a field of view, 166 degrees: tan(x)
 /// then multiplies a rounding of the angle by at most 12.
@@ -143,9 +144,15 @@ bool fit_window(Camera& camera, InputFormat format) {
   return camera != given;
 }
 
-/// Moves E and A as the ends of a segment, if the format needs that, and returns whether it did.
-bool fit_view(Camera& camera, InputFormat format) {
-  if (!format.view_directions) return false;
+/// Moves A to the centre of the first sphere, or E and A as the ends of a segment, if the format
+/// needs that, and returns whether it did.
+bool fit_view(Scene& scene, InputFormat format) {
+  if (!scene.camera || format.view == contract::View::kLookAt) return false;
+  Camera& camera = *scene.camera;
+  if (format.view == contract::View::kCentre) {
+    const Point3 centre = scene.spheres.empty() ? camera.look_at : scene.spheres.front().centre;
+    return std::exchange(camera.look_at, centre) != centre;
+  }
   const auto& [from, to] = std::pair(camera.eye, camera.look_at);
   Ray segment = {from, {to.x - from.x, to.y - from.y, to.z - from.z}};
   make_segment(segment, format.precision);
@@ -153,6 +160,15 @@ bool fit_view(Camera& camera, InputFormat format) {
   camera.eye = eye;
   camera.look_at = {eye.x + view.x, eye.y + view.y, eye.z + view.z};
   return camera.eye != from || camera.look_at != to;
+}
+
+/// If an image has an odd number of pixels across and down, or an even one with corners as samples,
+/// the middle one is on the axis of a symmetric window.
+void add_middle_pixel(Case& the_case) {
+  const Pixel middle = {the_case.scene.camera->width / 2, the_case.scene.camera->height / 2};
+  if (std::ranges::find(the_case.pixels, middle) == the_case.pixels.end()) {
+    the_case.pixels.push_back(middle);
+  }
 }
 
 }  // namespace
@@ -173,6 +189,7 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
   std::optional<Camera> given = the_case.scene.camera;
   const bool is_other_window = given && fit_window(*given, unrounded);
   if (fit_spheres(the_case.scene, format)) result.replaced = accepted(format.placement);
+  if (format.middle_pixel && the_case.scene.camera) add_middle_pixel(the_case);
   scene::Samples& samples = the_case.scene.conventions.samples;
   if (!format.corners && samples == scene::Samples::kCorners) samples = scene::Samples::kCentres;
   if (format.unit_directions) {
@@ -212,7 +229,8 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
   }
   if (the_case.scene.camera) fit_window(*the_case.scene.camera, format);
   if (is_other_window) result.replaced = accepted(format.windows);
-  const bool moved = the_case.scene.camera && fit_view(*the_case.scene.camera, format);
+  const bool moved = fit_view(the_case.scene, format);
+  if (moved && format.view == contract::View::kCentre) result.replaced = kLooksAtCentre;
   if (precision == Precision::kSingle || !result.replaced.empty() || moved) {
     const auto defects = scene::defects(the_case.scene);
     if (!defects.empty()) {
@@ -256,9 +274,8 @@ bool is_of_format(const Scene& scene, InputFormat format) {
     return (!format.unit_directions || is_unit(ray.direction, precision)) &&
            (!format.segments || rounded_ray(ray, format) == ray);
   });
-  all =
-      all && !(copy.camera && (fit_window(*copy.camera, format) || fit_view(*copy.camera, format)));
-  all = all && !fit_spheres(copy, format);
+  all = all && !(copy.camera && fit_window(*copy.camera, format));
+  all = all && !fit_view(copy, format) && !fit_spheres(copy, format);
   if (precision == Precision::kDouble || !all) return all;
   const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };
   for_each_number(copy, look);

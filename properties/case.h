@@ -45,8 +45,9 @@ using contract::name;
 /// The inputs that a candidate accepts: numbers of a format and, if it needs unit directions, only
 /// rays with directions of length 1 up to rounding; if it is given segments, only rays whose point
 /// at s = 1 is of the format, too; spheres with this placement; cameras with these windows and, if
-/// it is given view directions, only cameras for which A - E is of the format. Without corners,
-/// pixels are sampled at centres instead.
+/// it is given view directions, only cameras for which A - E is of the format, or if it always
+/// looks at a sphere, only cameras whose A is the centre of the first one. Without corners, pixels
+/// are sampled at centres instead. Picks are asked for the middle pixel, too.
 struct InputFormat {
   constexpr InputFormat(Precision its_precision = Precision::kDouble,
                         const contract::Interface& interface = {}, bool has_corners = true)
@@ -56,14 +57,15 @@ struct InputFormat {
         segments(interface.rays == contract::RayForm::kEnd),
         placement(interface.placement),
         windows(interface.windows),
-        view_directions(interface.view == contract::View::kDirection) {
+        view(interface.view) {
     if (segments) unit_directions = false;  // the direction follows from the ends
   }
   Precision precision;
   bool corners, unit_directions, segments;
   contract::Placement placement;
   contract::Windows windows;
-  bool view_directions;
+  contract::View view;
+  bool middle_pixel = false;
   bool operator==(const InputFormat&) const = default;
 };
 
@@ -106,11 +108,12 @@ struct RoundedCase {
 
 /// Moves and scales the scene so that its first sphere is one that the candidate accepts, and
 /// leaves out the others; samples at centres in place of corners that the candidate is not asked
-/// for. Then it normalises given directions if the format needs that, and rounds every number of
-/// the scene to the format, to nearest, ties to even, and for segments the ends of given rays. Last
-/// it replaces a window that the candidate does not accept, and moves E and A so that A - E is of
-/// the format, if that is needed. The case is left out if a number leaves the format's range
-/// (becomes infinite, or 0), or if the scene is then invalid or not of the format.
+/// for, and adds the middle pixel if the format has it. Then it normalises given directions if the
+/// format needs that, and rounds every number of the scene to the format, to nearest, ties to even,
+/// and for segments the ends of given rays. Last it replaces a window that the candidate does not
+/// accept, moves E and A so that A - E is of the format, or A to a sphere's centre, if that is
+/// needed. The case is left out if a number leaves the format's range (becomes infinite, or 0), or
+/// if the scene is then invalid or not of the format.
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
 /// The same for a scene that a user gives: it is left out if something would be replaced.

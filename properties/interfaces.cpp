@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "properties/failures.h"
+#include "properties/truth.h"
 #include "reference/account/nearby_valid.h"
 #include "reference/exact_ray.h"
 
@@ -83,6 +84,25 @@ std::optional<HitAnswer> chosen(const HitAnswer& roots, const Ray& ray, const Sp
   return {};
 }
 
+/// Completes the answers about these rays, and leaves out those without a root that counts.
+void complete(std::vector<SphereHits>& all, Functions::Rays rays, Functions::Spheres spheres,
+              const Conventions& conventions, const Interface& interface) {
+  for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
+    const auto is_no_hit = [&](RayHit& hit) {
+      if (hit.ray >= rays.size()) return false;  // Answers reports it
+      const Ray& ray = rays[hit.ray];
+      if (interface.returns == Returns::kRoots) {
+        const auto root = chosen(hit.hit, ray, spheres[sphere], conventions);
+        if (!root) return true;
+        hit.hit = *root;
+      }
+      hit.hit = completed(hit.hit, interface.returns, ray, spheres[sphere]);
+      return false;
+    };
+    std::erase_if(all[sphere], is_no_hit);
+  }
+}
+
 /// A function of pixels.
 template <class Make, class Answer>
 void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) {
@@ -120,7 +140,7 @@ Pixel passed(const Pixel& pixel, const Interface& interface) {
 }
 
 Camera passed(const Camera& camera, const Interface& interface) {
-  if (interface.view == contract::View::kLookAt) return camera;
+  if (interface.view != contract::View::kDirection) return camera;
   Camera one = camera;
   const auto& [x, y, z] = camera.eye;
   one.look_at = {view_along(x, one.look_at.x), view_along(y, one.look_at.y),
@@ -187,20 +207,20 @@ Functions adapted(Functions functions, const Interface& interface, Precision pre
                               const Conventions& conventions) {
       std::vector<SphereHits> all =
           intersect(all_passed(rays, interface), all_passed(spheres, interface), conventions);
-      for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
-        const auto is_no_hit = [&](RayHit& hit) {
-          if (hit.ray >= rays.size()) return false;  // Answers reports it
-          const Ray& ray = rays[hit.ray];
-          if (interface.returns == Returns::kRoots) {
-            const auto root = chosen(hit.hit, ray, spheres[sphere], conventions);
-            if (!root) return true;
-            hit.hit = *root;
-          }
-          hit.hit = completed(hit.hit, interface.returns, ray, spheres[sphere]);
-          return false;
-        };
-        std::erase_if(all[sphere], is_no_hit);
-      }
+      complete(all, rays, spheres, conventions, interface);
+      return all;
+    };
+  }
+  if (functions.pick) {
+    functions.pick = [pick = as_given.pick, interface, precision](
+                         const Camera& camera, const Conventions& conventions,
+                         Functions::Pixels pixels, Functions::Spheres spheres) {
+      std::vector<SphereHits> all =
+          pick(passed(camera, interface), conventions, all_passed(pixels, interface),
+               all_passed(spheres, interface));
+      const auto rays =
+          rounded_rays(reference::ExactCamera(camera, conventions), pixels, precision);
+      complete(all, rays, spheres, conventions, interface);
       return all;
     };
   }

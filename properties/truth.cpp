@@ -7,6 +7,17 @@
 
 namespace raycheck::properties {
 
+std::vector<Ray> rounded_rays(const ExactCamera& camera, std::span<const Pixel> pixels,
+                              InputFormat format) {
+  std::vector<Ray> rays;
+  for (const Pixel& pixel : pixels) {
+    const ExactRay exact(camera, pixel);
+    const auto [x, y, z] = exact.rounded_direction(format.precision);
+    rays.push_back(rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format));
+  }
+  return rays;
+}
+
 bool starts_inside(const ExactRay& ray, const Sphere& sphere) {
   const Intersection at = ray.intersect(sphere);
   return at.hit_class != HitClass::kMiss && at.root == WhichRoot::kLarger;

@@ -31,6 +31,10 @@ auto* find_ray(List& list, std::size_t ray) {
   return at == list.end() || at->ray != ray ? nullptr : &*at;
 }
 
+/// The rays of these pixels, correctly rounded to what a candidate accepts.
+std::vector<Ray> rounded_rays(const ExactCamera& camera, std::span<const Pixel> pixels,
+                              InputFormat format);
+
 /// Whether a ray starts inside a sphere, or on it and leaves it.
 bool starts_inside(const ExactRay& ray, const Sphere& sphere);
 

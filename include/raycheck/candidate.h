@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-#define RAYCHECK_CANDIDATE_VERSION 5
+#define RAYCHECK_CANDIDATE_VERSION 6
 
 typedef struct raycheck_vector {
   double x, y, z;
@@ -178,6 +178,11 @@ typedef struct raycheck_candidate {
   /* From version 5 on: more declarations, in the words of `raycheck list`, separated by semicolons:
      "samples centres; t_min 1e-4"; or null. */
   const char* contract;
+
+  /* From version 6 on: the point of the sphere that is seen through a pixel, as `intersect` answers
+     about the pixel's ray. If set, the hits of a camera's pixels are these. */
+  raycheck_hit (*pick)(const raycheck_camera*, const raycheck_conventions*, raycheck_pixel,
+                       const raycheck_sphere*);
 } raycheck_candidate;
 
 #if defined(__GNUC__)

@@ -41,6 +41,8 @@ struct Functions {
   std::optional<Hit> (*intersect)(const Ray&, const Sphere&, const Conventions&) = nullptr;
   std::optional<std::size_t> (*nearest)(const Ray&, const std::vector<Sphere>&,
                                         const Conventions&) = nullptr;
+  /// The point of the sphere that is seen through a pixel.
+  std::optional<Hit> (*pick)(const Camera&, const Conventions&, Pixel, const Sphere&) = nullptr;
   Level level = Level::unstated;
   /// Scenes with a nonzero length outside these bounds are not judged; both 0: 2^-960 and inf.
   double smallest_length = 0, largest_length = 0;
@@ -88,10 +90,17 @@ inline raycheck_ray focal_ray(const raycheck_camera* camera, const raycheck_conv
   return as<raycheck_ray>(
       functions.focal_ray(as<Camera>(*camera), asked_of(asked), as<Pixel>(pixel)));
 }
+inline raycheck_hit hit_of(const std::optional<Hit>& hit) {
+  return hit ? raycheck_hit{1, hit->parameter, as<raycheck_vector>(hit->point)} : raycheck_hit{};
+}
 inline raycheck_hit intersect(const raycheck_ray* ray, const raycheck_sphere* sphere,
                               const raycheck_conventions* asked) {
-  const auto hit = functions.intersect(as<Ray>(*ray), as<Sphere>(*sphere), asked_of(asked));
-  return hit ? raycheck_hit{1, hit->parameter, as<raycheck_vector>(hit->point)} : raycheck_hit{};
+  return hit_of(functions.intersect(as<Ray>(*ray), as<Sphere>(*sphere), asked_of(asked)));
+}
+inline raycheck_hit pick(const raycheck_camera* camera, const raycheck_conventions* asked,
+                         raycheck_pixel pixel, const raycheck_sphere* sphere) {
+  return hit_of(
+      functions.pick(as<Camera>(*camera), asked_of(asked), as<Pixel>(pixel), as<Sphere>(*sphere)));
 }
 inline int64_t nearest(const raycheck_ray* ray, const raycheck_sphere* spheres, size_t count,
                        const raycheck_conventions* asked) {
@@ -124,7 +133,8 @@ inline const raycheck_candidate* offer(const Functions& given) {
                as<raycheck_valid_roots>(given.valid),
                static_cast<int32_t>(given.directions),
                static_cast<int32_t>(given.returns),
-               given.contract};
+               given.contract,
+               given.pick ? pick : nullptr};
   return &candidate;
 }
 

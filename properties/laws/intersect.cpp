@@ -53,9 +53,10 @@ struct Encounter {
     if (is_excluded()) d.excluded_by = trial.conventions().valid;
     if (exact != nullptr) d.exact = {rounded_s(ray, sphere, *exact, trial.candidate())};
   }
-  /// The backward error of the answer, for exactly the ray that was passed to the candidate.
+  /// The backward error of the answer, for exactly the ray that was passed to the candidate; picks
+  /// have none.
   scene::Measured backward_error() const {
-    if (is_at_start()) return {};
+    if (is_at_start() || trial.picks()) return {};
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
@@ -477,7 +478,8 @@ constexpr Law kIntersectLawTable[] = {
      Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters, Quantity::kParameter,
      judge_parameter, kValues, Stage::kIntersection, kStability},
     {"backward-error", "the parameter s is the exact root for inputs changed by a few roundings",
-     Per::kPair, Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
+     Per::kPair,
+     Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters | Needs::kAnyRay,
      Quantity::kBackwardError, judge_backward_error, kRelations, Stage::kIntersection, kStability},
     {"hit-point", "the hit point is exact, lies on the sphere and on the ray", Per::kPair,
      Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kPoints, Quantity::kHitPoint,
@@ -486,7 +488,7 @@ constexpr Law kIntersectLawTable[] = {
      "rays from E and from P hit the same point, and their s differ by the length of P - E",
      Per::kPair,
      Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
-         Needs::kPoints,
+         Needs::kPoints | Needs::kAnyRay,
      Quantity::kInvariance, judge_focal_and_pixel},
 };
 

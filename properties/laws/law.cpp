@@ -32,6 +32,12 @@ bool has(const Trial& trial) {
   return static_cast<bool>(trial.candidate().*function);
 }
 
+/// Whether a trial meets a need, or its hits are those of pixels.
+template <auto is_met>
+bool picks_or(const Trial& trial) {
+  return trial.picks() || is_met(trial);
+}
+
 /// Whether a candidate has a function other than `image`.
 bool has_other_than_image(const Trial& trial) {
   const Functions& its = trial.candidate();
@@ -45,6 +51,9 @@ bool has_rays_from(const Trial& trial) {
   return trial.has_rays() || trial.conventions().origin != origin;
 }
 
+constexpr std::string_view kNoPixelRay = "the candidate does not implement pixel_ray()";
+constexpr std::string_view kNoFocalRay = "the candidate does not implement focal_ray()";
+
 /// In the order of checking: an image has a size only where there is a camera.
 constexpr Need kNeeds[] = {
     {Needs::kImage, has<&Functions::image>, "the candidate draws no images"},
@@ -55,11 +64,12 @@ constexpr Need kNeeds[] = {
     {Needs::kFrame, has<&Functions::frame>, "the candidate does not implement frame()"},
     {Needs::kPixelPoints, has<&Functions::pixel_points>,
      "the candidate does not implement pixel_point()"},
-    {Needs::kBothOrigins, has<&Functions::pixel_rays>,
-     "the candidate does not implement pixel_ray()"},
-    {Needs::kBothOrigins, has<&Functions::focal_rays>,
-     "the candidate does not implement focal_ray()"},
-    {Needs::kIntersect, has<&Functions::intersect>, "the candidate does not implement intersect()"},
+    {Needs::kBothOrigins, has<&Functions::pixel_rays>, kNoPixelRay},
+    {Needs::kBothOrigins, has<&Functions::focal_rays>, kNoFocalRay},
+    {Needs::kIntersect, picks_or<has<&Functions::intersect>>,
+     "the candidate does not implement intersect()"},
+    {Needs::kAnyRay, [](const Trial& trial) { return !trial.picks(); },
+     "pick() is asked for pixels, not for rays"},
     {Needs::kEither | Needs::kParameters | Needs::kPoints,
      [](const Trial& trial) { return trial.candidate().interface.returns != Returns::kClass; },
      "the candidate returns only hit or miss"},
@@ -89,16 +99,16 @@ constexpr Need kNeeds[] = {
        return std::max(camera.width, camera.height) <= trial.candidate().most_visible_across;
      },
      "the image is larger than those that visible() is asked for"},
-    {Needs::kRays | Needs::kMadeRays, has_rays_from<scene::Origin::kPixel>,
-     "the candidate does not implement pixel_ray()"},
-    {Needs::kRays | Needs::kMadeRays, has_rays_from<scene::Origin::kFocal>,
-     "the candidate does not implement focal_ray()"},
+    {Needs::kMadeRays, has_rays_from<scene::Origin::kPixel>, kNoPixelRay},
+    {Needs::kMadeRays, has_rays_from<scene::Origin::kFocal>, kNoFocalRay},
+    {Needs::kRays, picks_or<has_rays_from<scene::Origin::kPixel>>, kNoPixelRay},
+    {Needs::kRays, picks_or<has_rays_from<scene::Origin::kFocal>>, kNoFocalRay},
     {Needs::kSeveralSpheres, [](const Trial& trial) { return trial.scene().spheres.size() > 1; },
      "the scene has one sphere, which is judged as hit or miss", true},
 };
 
 bool wants_given_rays(const Law& law, const Trial& trial) {
-  return needs_any(law.needs, Needs::kRays) && !trial.has_rays() &&
+  return needs_any(law.needs, Needs::kRays) && !trial.has_rays() && !trial.picks() &&
          (trial.candidate().intersect || trial.candidate().nearest);
 }
 
@@ -256,13 +266,11 @@ std::optional<GivenRays> given_rays(const Case& the_case, const Conventions& con
   Scene& scene = given.the_case.scene;
   scene.spheres = the_case.scene.spheres;
   scene.conventions = the_case.scene.conventions;
-  for (const Pixel& pixel : the_case.pixels) {
-    const ExactRay exact(camera, pixel);
-    const auto [x, y, z] = exact.rounded_direction(format.precision);
-    const Ray ray = rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
-    if (!scene::defects(ray).empty()) continue;
-    scene.rays.push_back(ray);
-    given.pixels.push_back(pixel);
+  const std::vector<Ray> rays = rounded_rays(camera, the_case.pixels, format);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    if (!scene::defects(rays[k]).empty()) continue;
+    scene.rays.push_back(rays[k]);
+    given.pixels.push_back(the_case.pixels[k]);
   }
   return scene.rays.empty() ? std::nullopt : std::optional(std::move(given));
 }

@@ -36,7 +36,8 @@ enum class Needs : unsigned {
   // Of the values that a candidate returns for a hit:
   kParameters = 1 << 13,  ///< s, or a distance.
   kPoints = 1 << 14,      ///< Q
-  kEither = 1 << 15       ///< kParameters or kPoints.
+  kEither = 1 << 15,      ///< kParameters or kPoints.
+  kAnyRay = 1 << 16       ///< Intersections of any rays, not only those of a camera's pixels.
 };
 constexpr Needs operator|(Needs a, Needs b) {
   return static_cast<Needs>(static_cast<unsigned>(a) | static_cast<unsigned>(b));

@@ -196,7 +196,7 @@ std::string_view why_nothing_to_compare(const Trial& trial) {
 void compare(Trial& trial, Verdict& verdict, const Scene& scene, const Transformation& by) {
   const Case transformed_case{scene, trial.pixels()};
   Trial transformed(transformed_case, trial.candidate());
-  if (scene.camera) compare_directions(trial, transformed, verdict, by);
+  if (scene.camera && trial.has_rays()) compare_directions(trial, transformed, verdict, by);
   if (!what_is_missing(kOfHits, trial).empty()) return;
   for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
     for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
@@ -495,10 +495,11 @@ constexpr Law kMetamorphicLawTable[] = {
     {"up", "adding a multiple of W to up does not change the frame", Per::kScene, Needs::kFrame,
      Quantity::kInvariance, judge_up},
     {"growing-radius", "growing r never turns a hit into a miss", Per::kPair,
-     kOfHits | Needs::kRays, Quantity::kClass, judge_growing_radius, kRelations,
+     kOfHits | Needs::kRays | Needs::kAnyRay, Quantity::kClass, judge_growing_radius, kRelations,
      Stage::kIntersection},
     {"exchange", "exchanging the ends of a segment turns no hit into a miss", Per::kPair,
-     kOfHits | Needs::kRays, Quantity::kClass, judge_exchange, kRelations, Stage::kIntersection},
+     kOfHits | Needs::kRays | Needs::kAnyRay, Quantity::kClass, judge_exchange, kRelations,
+     Stage::kIntersection},
 };
 
 }  // namespace

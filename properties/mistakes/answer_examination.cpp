@@ -35,8 +35,14 @@ bool is_number(const Answer& answer) {
   });
 }
 
-StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
-  const auto found = trial.intersect(asked.rays, asked.the_case.scene.spheres, trial.conventions());
+StepAnswers hit_answers(const AskedCase& asked, Trial& trial) {
+  const std::vector<Sphere>& spheres = asked.the_case.scene.spheres;
+  std::vector<SphereHits> found;
+  if (asked.picks) {
+    for (std::size_t k = 0; k < spheres.size(); ++k) found.push_back(trial.hits(k));
+  } else {
+    found = trial.intersect(asked.rays, spheres, trial.conventions());
+  }
   StepAnswers answers;
   for (const SphereHits& hits : found) {
     const std::size_t first = answers.size();
@@ -73,7 +79,7 @@ std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidat
       }
       return answers;
     case Step::kIntersect:
-      if (!candidate.intersect) return {};
+      if (!candidate.intersect && !trial.picks()) return {};
       return hit_answers(asked, trial);
     case Step::kNearest:
       break;
@@ -189,7 +195,7 @@ void leave_out_rays_from_inside(AskedCase& asked) {
 /// Replaces answers within a declared tolerance by the right ones.
 void leave_out_tolerated(Comparison& comparison, const Candidate& candidate) {
   if (candidate.tolerances == contract::Tolerances{}) return;
-  const auto& [the_case, rays, returns] = *comparison.asked;
+  const auto& [the_case, rays, returns, picks] = *comparison.asked;
   for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
     if (agree(comparison.answers[k], comparison.right[k], kAnswerTolerances.front())) continue;
     const ExactRay ray(rays[k % rays.size()]);
@@ -205,6 +211,7 @@ std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candi
   auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
   if (!rounded || !is_inside_domain(candidate, rounded->scene)) return {};
   AskedCase asked = {*std::move(rounded), {}, candidate.interface.returns};
+  asked.picks = asked.the_case.scene.camera && candidate.pick;
   Conventions& conventions = asked.the_case.scene.conventions;
   conventions = candidate.declared.over(conventions);
   asked.rays = Trial(asked.the_case, right).rays();
@@ -320,7 +327,7 @@ bool Examination::is_of_input(const Ray& ray, const Sphere& sphere, double error
 DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance) {
   DoubtTally all;
   for (const Comparison& comparison : at(step)) {
-    const auto& [the_case, rays, returns] = *comparison.asked;
+    const auto& [the_case, rays, returns, picks] = *comparison.asked;
     const Conventions& conventions = the_case.scene.conventions;
     const std::vector<bool> is_dropped = dropped(step, comparison);
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {

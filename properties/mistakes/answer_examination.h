@@ -28,6 +28,7 @@ struct AskedCase {
   Case the_case;
   std::vector<Ray> rays;
   Returns returns = Returns::kHit;  ///< The values that are returned for a hit.
+  bool picks = false;               ///< Whether hits are asked by pixels, not by these rays.
 };
 
 /// A candidate's answers to a case at a step, the right answers, and the answers of other right

@@ -44,7 +44,8 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
     all.push_back({std::string(name) + " = " + std::string(scene::name(value))});
     return all.back();
   };
-  const bool makes_rays = candidate.pixel_points || candidate.pixel_rays || candidate.focal_rays;
+  const bool makes_rays =
+      candidate.pixel_points || candidate.pixel_rays || candidate.focal_rays || candidate.pick;
   scene::for_each_choice(declared, [&](std::string_view name, const auto& declared_value) {
     using Choice = std::remove_cvref_t<decltype(declared_value)>;
     using Value = typename Choice::value_type;
@@ -114,13 +115,17 @@ bool same_answers(Trial& one, Trial& other) {
   if (one.scene().camera && candidate.pixel_points && one.pixel_points() != other.pixel_points()) {
     return false;
   }
-  if (!one.has_rays() || !other.has_rays()) return true;
-  if (one.rays() != other.rays()) return false;
-  for (std::size_t k = 0; candidate.intersect && k < one.scene().spheres.size(); ++k) {
+  const bool picks = one.picks();
+  if (!picks && (!one.has_rays() || !other.has_rays())) return true;
+  if (!picks && one.rays() != other.rays()) return false;
+  // s of a picked point depends on the ray, and so on the conventions.
+  const bool has_points = picks && gives_point(candidate.interface.returns);
+  for (std::size_t k = 0; (picks || candidate.intersect) && k < one.scene().spheres.size(); ++k) {
     const SphereHits &hits = one.hits(k), &others = other.hits(k);
     if (!std::equal(hits.begin(), hits.end(), others.begin(), others.end(),
-                    [](const RayHit& a, const RayHit& b) {
-                      return a.ray == b.ray && a.hit.parameter == b.hit.parameter;
+                    [&](const RayHit& a, const RayHit& b) {
+                      return a.ray == b.ray && (has_points ? a.hit.point == b.hit.point
+                                                           : a.hit.parameter == b.hit.parameter);
                     })) {
       return false;
     }

@@ -80,7 +80,7 @@ Mutant from_mistake(std::string name, std::string_view sentence,
 }
 
 std::vector<Mutant> all_mutants() {
-  return joined({camera_mutants(), intersect_mutants(), plan_mutants()});
+  return joined({camera_mutants(), intersect_mutants(), plan_mutants(), pick_mutants()});
 }
 
 }  // namespace raycheck::mutants

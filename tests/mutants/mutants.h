@@ -56,5 +56,9 @@ std::vector<One> joined(std::initializer_list<std::vector<One>> lists) {
 std::vector<Mutant> camera_mutants();
 std::vector<Mutant> intersect_mutants();
 std::vector<Mutant> plan_mutants();
+std::vector<Mutant> pick_mutants();
+
+/// direct/cross as code that only picks.
+properties::Candidate picking_candidate();
 
 }  // namespace raycheck::mutants

@@ -105,6 +105,18 @@ TEST(Mutants, ComeFromACandidateThatBreaksNoLaw) {
   }
 }
 
+TEST(Mutants, PickAsACandidateThatBreaksNoLaw) {
+  std::vector<const Law*> every;
+  for (const Law& law : laws()) every.push_back(&law);
+  std::size_t judged = 0;
+  for (const CampaignResult& result :
+       run_campaigns(every, picking_candidate(), at(Level::kDemanding))) {
+    EXPECT_FALSE(result.failure) << result.failure->replay << scene_text(result.failure->shrunk);
+    judged += result.verdict.compared() > 100 ? 1 : 0;
+  }
+  EXPECT_EQ(judged, 6u);  // class, nearest-root, parameter, hit-point, scaling, axes
+}
+
 /// An error that is small enough to be overlooked, on ordinary cases by default.
 struct SmallFault {
   const char* name;

@@ -371,6 +371,15 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("intersect")) {
     candidate.intersect = of_rays("intersect", &Reply::hits);
   }
+  if (functions.contains("pick")) {
+    candidate.pick = [talk](const scene::Camera& camera, const scene::Conventions& conventions,
+                            Candidate::Pixels pixels, Candidate::Spheres spheres) {
+      return talk->ask(
+          "pick", conventions, pixels.size() * spheres.size(),
+          [&](Request& request) { request.camera(camera).pixels(pixels).spheres(spheres); },
+          [&](const Reply& reply) { return reply.hits(pixels.size(), spheres.size()); });
+    };
+  }
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 

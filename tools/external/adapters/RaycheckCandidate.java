@@ -52,6 +52,10 @@ public abstract class RaycheckCandidate {
   public int nearest(Ray ray, List<Sphere> spheres, Conventions asked) {
     throw new UnsupportedOperationException();
   }
+  /** The point of the sphere that is seen through a pixel. Null: a miss. */
+  public Hit pick(Camera camera, Conventions asked, Pixel pixel, Sphere sphere) {
+    throw new UnsupportedOperationException();
+  }
   /** Its declarations: "rows top-first", "t_min 1e-4", and the others of `raycheck list`. */
   public List<String> declared() { return List.of(); }
   /** The level at which it is judged: "ordinary", "demanding" or "extreme"; null: ordinary. */
@@ -81,7 +85,7 @@ public abstract class RaycheckCandidate {
   private static final List<Name> FUNCTIONS = List.of(new Name("frame", "frame"),
       new Name("pixelPoint", "pixel_point"), new Name("pixelRay", "pixel_ray"),
       new Name("focalRay", "focal_ray"), new Name("intersect", "intersect"),
-      new Name("nearest", "nearest"));
+      new Name("nearest", "nearest"), new Name("pick", "pick"));
 
   private static class Request {
     String id, function;
@@ -220,10 +224,13 @@ public abstract class RaycheckCandidate {
           }).append('\n');
         }
       }
-      case "intersect" -> {
+      case "intersect", "pick" -> {
+        boolean picks = request.function.equals("pick");
         for (int s = 0; s < request.spheres.size(); ++s) {
-          for (int r = 0; r < request.rays.size(); ++r) {
-            Hit hit = intersect(request.rays.get(r), request.spheres.get(s), request.asked);
+          Sphere sphere = request.spheres.get(s);
+          for (int r = 0; r < (picks ? request.pixels : request.rays).size(); ++r) {
+            Hit hit = picks ? pick(request.camera, request.asked, request.pixels.get(r), sphere)
+                            : intersect(request.rays.get(r), sphere, request.asked);
             if (hit == null) continue;
             reply.append(r).append(' ').append(s).append(' ').append(text(hit.s)).append(' ');
             reply.append(hit.point == null ? "0 0 0" : text(hit.point)).append('\n');

@@ -17,6 +17,7 @@
 //     intersect(ray, sphere, conventions) -> { s, point } or null
 //     intersectBatch(rays, sphere, conventions) -> an array of the same, one for each ray; instead of `intersect`
 //     nearest(ray, spheres, conventions) -> index or null
+//     pick(camera, conventions, pixel, sphere) -> { s, point } or null       the point seen through a pixel
 //
 // Vectors are arrays [x, y, z], pixels [i, j], a ray { origin, direction }, a sphere { centre, radius }, a camera { eye,
 // lookAt, up, near, left, right, bottom, top, width, height }. Any of the functions may be async. What they fix or promise
@@ -31,7 +32,7 @@ console.log = console.info = console.debug = console.error;
 
 const protocolNames = {
   frame: "frame", pixelPoint: "pixel_point", pixelRay: "pixel_ray", focalRay: "focal_ray",
-  intersect: "intersect", intersectBatch: "intersect", nearest: "nearest",
+  intersect: "intersect", intersectBatch: "intersect", nearest: "nearest", pick: "pick",
 };
 const conventionNames = ["rows", "samples", "origin", "root", "tangent"];
 const rootsNames = { ends: "interval", tMin: "t_min", tMax: "t_max", unit: "t_unit", culling: "culling" };
@@ -107,7 +108,14 @@ function hitWords(hit, returns) {
 async function answer(functions, returns, { name, camera, pixels, rays, spheres, conventions }) {
   if (name === "frame") return (await functions.frame(camera)).map((axis) => line(axis));
   const lines = [];
-  if (name === "intersect") {
+  if (name === "pick") {
+    for (const [s, sphere] of spheres.entries()) {
+      for (const [p, pixel] of pixels.entries()) {
+        const hit = hitWords(await functions.pick(camera, conventions, pixel, sphere), returns);
+        if (hit) lines.push(`${p} ${s} ${hit}`);
+      }
+    }
+  } else if (name === "intersect") {
     for (const [s, sphere] of spheres.entries()) {
       const batch = await functions.intersectBatch?.(rays, sphere, conventions);
       for (const [r, ray] of rays.entries()) {

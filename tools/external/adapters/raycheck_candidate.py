@@ -18,6 +18,7 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
     intersect_batch(rays, sphere, conventions) -> a list of the same, one for each ray;
                                                   instead of intersect
     nearest(ray, spheres, conventions) -> index or None
+    pick(camera, conventions, pixel, sphere) -> (s, point) or None, the point seen through a pixel
 
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
 Declare what your functions fix or promise by its name in `raycheck list`: rc.run("mine",
@@ -41,7 +42,7 @@ Conventions = collections.namedtuple("Conventions", "rows samples origin root ta
                                      defaults=[USUAL_ROOTS])
 
 _FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "intersect_batch",
-              "nearest")
+              "nearest", "pick")
 
 
 def _words(*values):
@@ -107,7 +108,11 @@ def _truth(value):
     return bool(value)
 
 
-def _hits(functions, rays, sphere, asked):
+def _hits(functions, request, sphere):
+    asked, rays = request["conventions"], request.get("rays")
+    if request["function"] == "pick":
+        return [functions["pick"](request["camera"], asked, pixel, sphere)
+                for pixel in request["pixels"]]
     if "intersect_batch" in functions:
         return functions["intersect_batch"](rays, sphere, asked)
     return [functions["intersect"](ray, sphere, asked) for ray in rays]
@@ -119,10 +124,10 @@ def _answer(functions, returns, request):
     if name == "frame":
         return [_line(axis) for axis in function(request["camera"])]
     asked = request["conventions"]
-    if name == "intersect":
+    if name in ("intersect", "pick"):
         lines = []
         for s, sphere in enumerate(request["spheres"]):
-            for r, hit in enumerate(_hits(functions, request["rays"], sphere, asked)):
+            for r, hit in enumerate(_hits(functions, request, sphere)):
                 if returns == "class" and hit is not None:
                     hit = _truth(hit)
                 if hit is not None and hit is not False:
@@ -132,7 +137,7 @@ def _answer(functions, returns, request):
                         line = ""
                     if len(line.split()) != 4:
                         wanted = "(s, point)" if returns == "hit" else f"the {returns}"
-                        raise TypeError(f"intersect returned {hit!r}; return {wanted}, or None")
+                        raise TypeError(f"{name} returned {hit!r}; return {wanted}, or None")
                     lines.append(f"{r} {s} {line}")
         return lines
     if name == "nearest":

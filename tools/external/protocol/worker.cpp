@@ -133,6 +133,16 @@ bool offers_intersect(const raycheck_candidate& candidate) {
   return candidate.intersect != nullptr || candidate.intersect_batch != nullptr;
 }
 
+bool offers_pick(const raycheck_candidate& candidate) {
+  return candidate.version >= 6 && candidate.pick != nullptr;
+}
+
+void add_hit(Reply& reply, std::size_t ray, std::size_t sphere, const raycheck_hit& hit) {
+  if (hit.hit == 0) return;
+  reply << static_cast<std::int64_t>(ray) << " " << static_cast<std::int64_t>(sphere) << " "
+        << hit.parameter << " " << hit.point << "\n";
+}
+
 void intersect(const raycheck_candidate& candidate, const Request& request, Reply& reply) {
   std::vector<raycheck_hit> hits(request.rays.size());
   for (std::size_t sphere = 0; sphere < request.spheres.size(); ++sphere) {
@@ -145,10 +155,16 @@ void intersect(const raycheck_candidate& candidate, const Request& request, Repl
                                         &request.asked.conventions);
       }
     }
-    for (std::size_t ray = 0; ray < hits.size(); ++ray) {
-      if (hits[ray].hit == 0) continue;
-      reply << static_cast<std::int64_t>(ray) << " " << static_cast<std::int64_t>(sphere) << " "
-            << hits[ray].parameter << " " << hits[ray].point << "\n";
+    for (std::size_t ray = 0; ray < hits.size(); ++ray) add_hit(reply, ray, sphere, hits[ray]);
+  }
+}
+
+void pick(const raycheck_candidate& candidate, const Request& request, Reply& reply) {
+  for (std::size_t sphere = 0; sphere < request.spheres.size(); ++sphere) {
+    for (std::size_t pixel = 0; pixel < request.pixels.size(); ++pixel) {
+      add_hit(reply, pixel, sphere,
+              candidate.pick(&request.camera, &request.asked.conventions, request.pixels[pixel],
+                             &request.spheres[sphere]));
     }
   }
 }
@@ -172,6 +188,8 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
     }
   } else if (function == "intersect" && offers_intersect(candidate)) {
     intersect(candidate, request, reply);
+  } else if (function == "pick" && offers_pick(candidate)) {
+    pick(candidate, request, reply);
   } else if (function == "nearest" && candidate.nearest != nullptr) {
     for (const raycheck_ray& ray : request.rays) {
       const std::int64_t index = candidate.nearest(
@@ -191,9 +209,10 @@ void introduce(const raycheck_candidate& candidate, Reply& reply) {
   const contract::Declarations declared = contract::declarations(
       candidate, candidate.declared, candidate.declared_roots, candidate.version);
   reply << "raycheck 1 " << (candidate.name != nullptr ? candidate.name : "-") << "\n";
-  const std::array<bool, 6> has = {candidate.frame != nullptr,     candidate.pixel_point != nullptr,
+  const std::array<bool, 7> has = {candidate.frame != nullptr,     candidate.pixel_point != nullptr,
                                    candidate.pixel_ray != nullptr, candidate.focal_ray != nullptr,
-                                   offers_intersect(candidate),    candidate.nearest != nullptr};
+                                   offers_intersect(candidate),    candidate.nearest != nullptr,
+                                   offers_pick(candidate)};
   for (std::size_t k = 0; k < has.size(); ++k) {
     if (has[k]) reply << "function " << contract::kFunctions[k] << "\n";
   }
