@@ -65,9 +65,11 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
     (*valid).*member = value;
   };
   if (declared.valid) {
+    const bool has_lengths = declared.valid->t_min != 0 || std::isfinite(declared.valid->t_max);
     for (const auto unit :
          {scene::TUnit::kAbsolute, scene::TUnit::kRadius, scene::TUnit::kLength}) {
-      add_valid("t_unit = " + std::string(scene::name(unit)), &scene::ValidRoots::unit, unit);
+      if (has_lengths)
+        add_valid("t_unit = " + std::string(scene::name(unit)), &scene::ValidRoots::unit, unit);
     }
     add_valid("t_max = infinity", &scene::ValidRoots::t_max, kInfinity);
     if (candidate.interface.rays == contract::RayForm::kEnd) {
@@ -90,6 +92,8 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
       allowed.conventions = declared;
       allowed.interface = candidate.interface;
       choose(allowed.interface, static_cast<Value>(k));
+      // Nor is there another way of calling code that always looks at a sphere's centre.
+      if (allowed.interface.view == contract::View::kCentre) continue;
       if (allowed.interface != candidate.interface && contract::defects(allowed).empty()) {
         add(name, static_cast<Value>(k)).interface = allowed.interface;
       }

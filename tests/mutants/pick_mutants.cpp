@@ -1,5 +1,8 @@
 // Picks: the point of a sphere seen through a pixel, in one step.
 
+#include "fast/intersect.h"
+#include "properties/answers.h"
+#include "properties/mistakes/altered_hits.h"
 #include "tests/mutants/mutants.h"
 
 namespace raycheck::mutants {

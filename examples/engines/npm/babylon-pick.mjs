@@ -11,12 +11,13 @@ import { Matrix, Vector3 } from "@babylonjs/core/Maths/math.vector.js";
 import { Scene } from "@babylonjs/core/scene.js";
 
 const double = process.argv.includes("double");
-const engine = new NullEngine({ renderWidth: 1, renderHeight: 1, useHighPrecisionMatrix: double });
+const options = { renderWidth: 1, renderHeight: 1, useHighPrecisionMatrix: double };
+const engine = new NullEngine(options);
 
 function pick({ eye, lookAt, up, near, right, top, width, height }, _, [i, j], { centre, radius }) {
   const scene = new Scene(engine);
   scene.useRightHandedSystem = true;
-  engine.setSize(width, height);
+  Object.assign(options, { renderWidth: width, renderHeight: height });
   const camera = new TargetCamera("camera", new Vector3(...eye), scene);
   camera.upVector = new Vector3(...up);
   camera.setTarget(new Vector3(...lookAt));

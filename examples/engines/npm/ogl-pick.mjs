@@ -1,4 +1,5 @@
-// OGL (npm ogl), Raycast.castMouse with a perspective Camera, then Raycast.intersectSphere: a distance, or 0 for a miss.
+// OGL (npm ogl), Raycast.castMouse with a perspective Camera, then Raycast.intersectSphere: a distance, or 0 for a miss,
+// so that an eye on the sphere counts as a miss.
 // Matrices are arrays of doubles. Undocumented, so that this is the code's contract; silent about tangents, and about
 // errors. Source: src/extras/Raycast.js, src/core/Camera.js.
 import { run } from "./raycheck_candidate.mjs";
@@ -18,5 +19,5 @@ function pick({ eye, lookAt, up, near, right, top, width, height }, _, [i, j], {
 
 run("ogl-pick", {
   rows: "top-first", samples: "centres", origin: "focal", root: "nearest", tangent: "either", windows: "symmetric",
-  returns: "distance", level: "ordinary", pick,
+  returns: "distance", roots: { ends: "(]" }, level: "ordinary", pick,
 });

@@ -4,14 +4,15 @@
 import { run } from "./raycheck_candidate.mjs";
 import { AppBase, AppOptions, BoundingSphere, CameraComponentSystem, Entity, NullGraphicsDevice, Ray, Vec3 } from "playcanvas/build/playcanvas.mjs";
 
-const canvas = { id: "", width: 1, height: 1, clientRect: {}, getBoundingClientRect: () => ({ width: canvas.width, height: canvas.height }), addEventListener() {}, removeEventListener() {} };
+const canvas = { id: "", width: 1, height: 1, clientRect: {}, addEventListener() {}, removeEventListener() {} };
 const options = new AppOptions();
 Object.assign(options, { graphicsDevice: new NullGraphicsDevice(canvas), componentSystems: [CameraComponentSystem] });
 const app = new AppBase(canvas);
 app.init(options);
 
 function pick({ eye, lookAt, up, near, right, top, width, height }, _, [i, j], { centre, radius }) {
-  Object.assign(canvas, { width, height, clientWidth: width, clientHeight: height });
+  Object.assign(canvas, { width, height });
+  app.graphicsDevice.updateClientRect();
   const entity = new Entity();
   app.root.addChild(entity);
   const fov = 2 * Math.atan(top / -near) * (180 / Math.PI);
