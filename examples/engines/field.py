@@ -19,7 +19,7 @@ import sys
 import tempfile
 import tomllib
 
-from tables import FRONTIERS, LEVELS, line, table, write
+from tables import FRONTIERS, LEVELS, kind_of, line, table, write
 
 REPRODUCTION_SECONDS = 1800  # a backstop: a reproduction takes seconds, on a busy machine minutes
 HERE = pathlib.Path(__file__).parent
@@ -127,12 +127,21 @@ def error_of(campaigns, name):
     return None
 
 
-def scene_numbers(scene):
-    """The numbers of a scene of one ray and one sphere; None for other scenes."""
+def scene_numbers(scene, pixel):
+    """The numbers of a scene of one sphere and one ray, or a camera's pixel; None for other scenes."""
     parsed = tomllib.loads(scene)
-    if len(parsed.get("ray", [])) != 1 or len(parsed.get("sphere", [])) != 1:
+    if len(parsed.get("sphere", [])) != 1:
         return None
-    ray, sphere = parsed["ray"][0], parsed["sphere"][0]
+    sphere = parsed["sphere"][0]
+    if "camera" in parsed and pixel:
+        camera = parsed["camera"]
+        numbers = dict(zip(("ex", "ey", "ez", "ax", "ay", "az", "ux", "uy", "uz", "cx", "cy", "cz"),
+                           map(float, [*camera["eye"], *camera["look_at"], *camera["up"], *sphere["centre"]])))
+        numbers |= {name: float(camera[name]) for name in ("near", "left", "right", "bottom", "top")}
+        return numbers | {"width": camera["width"], "height": camera["height"], "i": pixel[0], "j": pixel[1], "r": float(sphere["radius"])}
+    if len(parsed.get("ray", [])) != 1:
+        return None
+    ray = parsed["ray"][0]
     origin, direction, centre = ray["origin"], ray["direction"], sphere["centre"]
     return dict(zip(("ox", "oy", "oz", "dx", "dy", "dz", "cx", "cy", "cz", "r"),
                     map(float, [*origin, *direction, *centre, sphere["radius"]])))
@@ -174,11 +183,12 @@ def right_as_printed(case, numbers, tolerance):
     words, got = prints.split(), [float(decimal(x)) for x in first["got"]]
     exact = [float(decimal(x)) for x in first["exact"]]
     wrong = RuntimeError(f"its reproduction prints {prints}, but it answered {first['got']}")
-    origin, direction = ([numbers[axis + k] for k in "xyz"] for axis in "od")
+    is_of_pixel = "ex" in numbers
+    origin, direction = ([numbers.get(axis + k, 0) for k in "xyz"] for axis in "od")
     length = math.hypot(*direction)
     point = lambda s: [o + s * d for o, d in zip(origin, direction)]
     ways = {1: [lambda s: [s], lambda s: [s * length]], 3: [point]}  # s, a distance, a point
-    if len(got) == 3:
+    if len(got) == 3 and not is_of_pixel:
         along = lambda Q: sum((q - o) * (d / length) for q, o, d in zip(Q, origin, direction))
         ways = {1: [lambda Q: [along(Q) / length], lambda Q: [along(Q)]], 3: [lambda Q: Q]}
     if words[:1] in (["miss"], ["hit"]) or not got:
@@ -186,6 +196,10 @@ def right_as_printed(case, numbers, tolerance):
             raise wrong
         return "a miss" if not exact else "a hit" if words[:1] == ["hit"] else ""
     printed = [float(word) for word in words]
+    if is_of_pixel:  # the ray, from which a point follows, is unknown
+        ways = {1: [lambda s: [s]], 3: [lambda Q: Q]}
+        if len(printed) != len(got):
+            return "" if exact else "a miss"
     size = max(map(abs, [*origin, *printed]))
     for way in ways[len(printed)]:
         # NaNs agree.
@@ -241,16 +255,17 @@ class Page:
                 continue
             if not campaign["discrepancies"]:
                 raise RuntimeError(f"{campaign['law']}: broken, but its smallest case shows no wrong answer: {campaign['scene']}")
-            numbers = scene_numbers(campaign["scene"])
+            numbers = scene_numbers(campaign["scene"], campaign["discrepancies"][0]["pixel"])
             part = next(part for part in campaign["parts"] if part["replay"] == campaign["replay"])
             severity = "" if part["severity"] is None else f"@{part['severity']}"
             case = {"law": campaign["sentence"], "scene": campaign["scene"].strip(), "first": campaign["discrepancies"][0], "precision": campaign["precision"],
                     "level": part["level"], "source": part["source"].split("@")[0] + severity}
             if numbers:
                 case["numbers"] = numbers
-                ray = ",".join(repr(numbers[k]) for k in ("ox", "oy", "oz", "dx", "dy", "dz"))
-                sphere = ",".join(repr(numbers[k]) for k in ("cx", "cy", "cz", "r"))
-                case["exact"] = raycheck.json("explain", f"--ray={ray}", f"--sphere={sphere}")["exact"]
+                if "ox" in numbers:
+                    ray = ",".join(repr(numbers[k]) for k in ("ox", "oy", "oz", "dx", "dy", "dz"))
+                    sphere = ",".join(repr(numbers[k]) for k in ("cx", "cy", "cz", "r"))
+                    case["exact"] = raycheck.json("explain", f"--ray={ray}", f"--sphere={sphere}")["exact"]
                 case["reproduction"] = reproduction(self.engine, numbers, build, case["first"]["failed"] is not None)
                 if case["reproduction"]:
                     case["right"] = "" if case["first"]["failed"] else right_as_printed(case, numbers, AGREES[campaign["precision"]])
@@ -333,7 +348,7 @@ class Page:
 
 def printed_text(prints, first, numbers):
     """The line above the output of a reproduction. A single number is s, or the distance, whichever is nearer to the answer."""
-    if len(prints.split()) != 1 or prints in ("miss", "hit") or not first["got"]:
+    if len(prints.split()) != 1 or prints in ("miss", "hit") or not first["got"] or "ex" in numbers:
         return "It prints:"
     length, got = math.hypot(*(numbers[k] for k in ("dx", "dy", "dz"))), [float(decimal(x)) for x in first["got"]]
     clearly = 1
@@ -385,7 +400,7 @@ def mildest(pages):
 
 def add_times(pages, raycheck, build):
     """Sets the time for a ray, divided by that of `quadratic`, of engines that can be called in process; one run times all."""
-    libraries = [page for page in pages if page.engine["language"] in ("c++", "c")]
+    libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and not page.engine.get("picks")]
     if not libraries:
         return
     words = [word for page in libraries if page.name not in OWN for word in ("--candidate", words_of(page.engine, build)[0])]
@@ -436,7 +451,7 @@ def main():
         print(f"skipped: {name}: not installed", file=sys.stderr)
     shown = sum(bool(case.get("reproduction")) for page in pages for case in page.cases.values())
     print(f"reproductions that were run and print the answers of their engines: {shown}", file=sys.stderr)
-    print(table(line(page.row()) for page in sorted(pages, key=lambda page: bool(page.engine.get("solver")))))
+    print(table(line(page.row()) for page in sorted(pages, key=lambda page: kind_of(page.engine))))
     if options.write and not failed:
         write(pages, engines, options.write, bool(options.names))
     sys.exit("\n".join(f"field: {reason}" for reason in failed) if failed else 0)

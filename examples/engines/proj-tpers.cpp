@@ -2,7 +2,8 @@
 // point of the unit sphere that is seen from the height +h above +lat_0, +lon_0, looking at the
 // centre, with the azimuth +azi up. The plane touches the sphere below the eye; its unit is the
 // radius, +R. Debian: libproj-dev; -lproj. Source: https://proj.org, "Tilted perspective"; its
-// errors are not documented. Points beside the globe are errors.
+// errors are not documented. Points beside the globe are errors,
+// and so are eyes on it.
 
 #include <proj.h>
 
@@ -35,7 +36,8 @@ static std::optional<Hit> pick(const Camera& camera, const Conventions&, Pixel p
                j = static_cast<double>(pixel.j) + 0.5;
   const double x = camera.left + i / static_cast<double>(camera.width) * 2 * camera.right;
   const double y = camera.bottom + j / static_cast<double>(camera.height) * 2 * camera.top;
-  const PJ_COORD found = proj_trans(projection, PJ_INV, proj_coord(x / near * h, y / near * h, 0, 0));
+  const PJ_COORD found =
+      proj_trans(projection, PJ_INV, proj_coord(x / near * h, y / near * h, 0, 0));
   proj_destroy(projection);
   if (found.lp.lam == HUGE_VAL) return std::nullopt;
   const double cos_phi = std::cos(found.lp.phi);
@@ -43,7 +45,7 @@ static std::optional<Hit> pick(const Camera& camera, const Conventions&, Pixel p
                        std::sin(found.lp.phi)}};
 }
 
-RAYCHECK_CANDIDATE(.rows = Rows::bottom_first, .samples = Samples::centres,
-                   .origin = Origin::focal, .root = Root::smaller, .tangent = Tangent::either,
-                   .pick = pick, .level = Level::ordinary, .returns = Returns::point,
+RAYCHECK_CANDIDATE(.rows = Rows::bottom_first, .samples = Samples::centres, .origin = Origin::focal,
+                   .root = Root::smaller, .tangent = Tangent::either, .pick = pick,
+                   .level = Level::ordinary, .returns = Returns::point,
                    .contract = "placement unit; view centre; windows symmetric")

@@ -10,6 +10,12 @@ FRONTIERS = {  # frontier columns: by source, the title and the format of a seve
 HEAD = (["library", "function"] + list(LEVELS) + [title for title, _ in FRONTIERS.values()]
         + ["error on ordinary cases: median / worst", "time", "what is wrong"])
 
+KINDS = {"": "table", "solver": "solvers", "picks": "picks"}  # of engines: their key in engines.toml, and their table
+
+
+def kind_of(engine):
+    return next(kind for kind in [*list(KINDS)[1:], ""] if not kind or engine.get(kind))
+
 
 def chart(rows, path):
     """An SVG chart with a dot for each engine: the distance up to which it is right, against its time for a ray."""
@@ -60,14 +66,16 @@ def write(pages, engines, docs, others):
     rows = {page.title: line(page.row()) for page in pages}
     if others and (docs / "field.md").exists():
         rows = rows_of((docs / "field.md").read_text()) | rows
-    plain, solvers = ({engine["name"]: rows[engine["name"]] for engine in engines if engine.get("taken", True)
-                       and engine["name"] in rows and engine.get("solver", False) == wanted} for wanted in (False, True))
+    taken = [engine for engine in engines if engine.get("taken", True) and engine["name"] in rows]
+    by_kind = {kind: {engine["name"]: rows[engine["name"]] for engine in taken if kind_of(engine) == kind} for kind in KINDS}
     for old in folder.glob("*.md"):
-        if old.stem not in plain | solvers or not others:
+        if not others or not any(old.stem in ones for ones in by_kind.values()):
             old.unlink()
     for page in pages:
         (folder / f"{page.title}.md").write_text(page.text())
-    chart(plain | solvers, folder / "frontier.svg")
+    chart(by_kind[""] | by_kind["solver"], folder / "frontier.svg")
     not_taken = "\n".join(f"- {e['library']} (`{e.get('package', '-')}`)" + (f", `{e['function']}`" if e.get("function") else "") + f": {e['reason']}" for e in engines if not e.get("taken", True))
-    text = (docs / "field.in.md").read_text().replace("{table}", table(plain.values())).replace("{not taken}", not_taken)
-    (docs / "field.md").write_text(text.replace("{solvers}", table(solvers.values())))
+    text = (docs / "field.in.md").read_text().replace("{not taken}", not_taken)
+    for kind, name in KINDS.items():
+        text = text.replace("{" + name + "}", table(by_kind[kind].values()))
+    (docs / "field.md").write_text(text)
