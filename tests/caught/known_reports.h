@@ -18,7 +18,8 @@ struct KnownReport {
   std::string_view mutant;  ///< The name of its mutant.
   /// The reported formula; everything else of the mutant is right. Null: the mutant of this name in
   /// tests/mutants.
-  properties::Hit (*hit)(const scene::Ray&, const scene::Sphere&, const scene::Conventions&);
+  properties::Hit (*hit)(const scene::Ray&, const scene::Sphere&,
+                         const scene::Conventions&) = nullptr;
   /// The causes that the default run must name, in all broken laws together.
   std::vector<std::string> sentences = {};
   /// If no cause or a wrong cause is named: what is needed for the right one.
