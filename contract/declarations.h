@@ -119,8 +119,8 @@ void for_each_choice(SomeInterface& interface, Visit visit) {
   visit("pixels", interface.pixels, "the order of a pixel's two indices");
   visit("windows", interface.windows, "the windows of the cameras that it accepts");
   visit("view", interface.view,
-        "what comes with a camera's eye: the point looked at, the view direction, or the point "
-        "where a sphere's centre always is");
+        "what comes with a camera's eye: the point looked at, the view direction, or a sphere's "
+        "centre");
   visit("made_directions", interface.made,
         "the length of the directions of the rays that it makes");
   visit("returns", interface.returns, "what it returns for a hit");

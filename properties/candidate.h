@@ -230,7 +230,7 @@ struct ImagePolicy {
 struct Candidate : Functions, Promises, Domain, ImagePolicy {
   InputFormat input_format() const {
     InputFormat format = Promises::input_format();
-    format.middle_pixel = static_cast<bool>(pick);
+    format.middle_pixel = is_in_random_cases && pick;
     return format;
   }
   std::string name;

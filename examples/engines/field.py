@@ -137,8 +137,8 @@ def scene_numbers(scene, pixel):
         camera = parsed["camera"]
         numbers = dict(zip(("ex", "ey", "ez", "ax", "ay", "az", "ux", "uy", "uz", "cx", "cy", "cz"),
                            map(float, [*camera["eye"], *camera["look_at"], *camera["up"], *sphere["centre"]])))
-        numbers |= {name: float(camera[name]) for name in ("near", "left", "right", "bottom", "top")}
-        return numbers | {"width": camera["width"], "height": camera["height"], "i": pixel[0], "j": pixel[1], "r": float(sphere["radius"])}
+        numbers |= {name: float(camera[name]) for name in ("left", "right", "bottom", "top")}
+        return numbers | {"near": -float(camera["near"]), "width": camera["width"], "height": camera["height"], "i": pixel[0], "j": pixel[1], "r": float(sphere["radius"])}
     if len(parsed.get("ray", [])) != 1:
         return None
     ray = parsed["ray"][0]

@@ -1,8 +1,8 @@
 /* MuJoCo's mjv_select: the point of a geom under the mouse, at (relx, rely) of the window, here of
-   a sphere that is alone in the world. The camera of a scene, mjvGLCamera, is in floats: its
+   a sphere, the only geom of the world. The camera of a scene, mjvGLCamera, is in floats: its
    position, two of its axes and its frustum. Debian: libmujoco-dev; -lmujoco.
-   Source: mujoco/mujoco.h, "Select geom or skin with mouse", mjvisualize.h. Silent on tangents, on
-   errors, and on what is between the eye and the near plane, from which rays do not start. */
+   Source: mujoco/mujoco.h, "Select geom or skin with mouse", mjvisualize.h. Silent on tangents and
+   on errors; rays start at the camera's position. */
 
 #include <math.h>
 #include <mujoco/mujoco.h>

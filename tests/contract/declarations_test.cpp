@@ -155,7 +155,8 @@ TEST(PublicStructs, declare_what_the_header_of_their_version_has) {
                                                             {"lengths 0 2", "level extreme"},
                                                             {"precision single", "roots as-asked"},
                                                             {"returns point"},
-                                                            {"rows top-first"}};
+                                                            {"rows top-first"},
+                                                            {}};
   std::vector<std::string> expected;
   for (std::uint32_t version = 1; version <= by_version.size(); ++version) {
     const std::vector<std::string>& more = by_version[version - 1];

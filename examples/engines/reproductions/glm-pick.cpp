@@ -8,7 +8,7 @@
 using glm::dvec3;
 int main() {
   const auto view = glm::lookAt(dvec3({ex}, {ey}, {ez}), dvec3({ax}, {ay}, {az}), dvec3({ux}, {uy}, {uz}));
-  const auto projection = glm::frustum({left}, {right}, {bottom}, {top}, -{near}, -1000 * {near});
+  const auto projection = glm::frustum({left}, {right}, {bottom}, {top}, {near}, 1000 * {near});
   const glm::dvec4 window(0, 0, {width}, {height});
   const dvec3 from = glm::unProject(dvec3({i} + 0.5, {j} + 0.5, 0), view, projection, window);
   const dvec3 to = glm::unProject(dvec3({i} + 0.5, {j} + 0.5, 1), view, projection, window);

@@ -9,10 +9,10 @@ int main() {
   irr::scene::ISceneManager* scene = irr::createDeviceEx(made)->getSceneManager();
   auto* camera = scene->addCameraSceneNode(nullptr, vector3df({ex}, {ey}, {ez}), vector3df({ax}, {ay}, {az}));
   camera->setUpVector(vector3df({ux}, {uy}, {uz}));
-  camera->setFOV(2 * std::atan(float({top}) / float(-{near})));
+  camera->setFOV(2 * std::atan(float({top}) / float({near})));
   camera->setAspectRatio({right} / {top});
-  camera->setNearValue(-{near});
-  camera->setFarValue(1000 * float(-{near}));
+  camera->setNearValue({near});
+  camera->setFarValue(1000 * float({near}));
   camera->updateAbsolutePosition();
   camera->render();
   const auto line = scene->getSceneCollisionManager()->getRayFromScreenCoordinates({{width} - {i}, {j}}, camera);

@@ -16,7 +16,7 @@ int main(void) {
   mjvScene scene;
   mjv_defaultScene(&scene);
   scene.camera[0] = scene.camera[1] = (mjvGLCamera){{{ex}, {ey}, {ez}}, {forward[0], forward[1], forward[2]},
-      {above[0], above[1], above[2]}, 0, {bottom}, {top}, -{near}, -1000 * {near}};
+      {above[0], above[1], above[2]}, 0, {bottom}, {top}, {near}, 1000 * {near}};
   scene.scale = 1;
   mjvOption options;
   mjv_defaultOption(&options);

@@ -1,7 +1,7 @@
 // node case.mjs, beside node_modules with ogl
 import { Camera, Raycast, Vec3 } from "ogl";
-const fov = 2 * Math.atan({top} / -{near}) * (180 / Math.PI);
-const camera = new Camera(null, { near: -{near}, far: -1000 * {near}, fov, aspect: {right} / {top} });
+const fov = 2 * Math.atan({top} / {near}) * (180 / Math.PI);
+const camera = new Camera(null, { near: {near}, far: 1000 * {near}, fov, aspect: {right} / {top} });
 camera.position.set({ex}, {ey}, {ez});
 camera.up.set({ux}, {uy}, {uz});
 camera.lookAt([{ax}, {ay}, {az}]);

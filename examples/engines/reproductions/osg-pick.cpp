@@ -7,7 +7,7 @@
 int main() {
   osg::ref_ptr<osg::Camera> camera = new osg::Camera;
   camera->setViewMatrixAsLookAt({{ex}, {ey}, {ez}}, {{ax}, {ay}, {az}}, {{ux}, {uy}, {uz}});
-  camera->setProjectionMatrixAsFrustum({left}, {right}, {bottom}, {top}, -{near}, -1000 * {near});
+  camera->setProjectionMatrixAsFrustum({left}, {right}, {bottom}, {top}, {near}, 1000 * {near});
   camera->setViewport(new osg::Viewport(0, 0, {width}, {height}));
   osgManipulator::PointerInfo pointer;
   pointer.setCamera(camera);

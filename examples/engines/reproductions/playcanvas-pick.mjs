@@ -6,8 +6,8 @@ app.init(Object.assign(new AppOptions(), { graphicsDevice: new NullGraphicsDevic
 app.graphicsDevice.updateClientRect();
 const entity = new Entity();
 app.root.addChild(entity);
-const fov = 2 * Math.atan({top} / -{near}) * (180 / Math.PI);
-entity.addComponent("camera", { fov, aspectRatioMode: 1, aspectRatio: {right} / {top}, nearClip: -{near}, farClip: -1000 * {near} });
+const fov = 2 * Math.atan({top} / {near}) * (180 / Math.PI);
+entity.addComponent("camera", { fov, aspectRatioMode: 1, aspectRatio: {right} / {top}, nearClip: {near}, farClip: 1000 * {near} });
 entity.setPosition({ex}, {ey}, {ez});
 entity.lookAt({ax}, {ay}, {az}, {ux}, {uy}, {uz});
 const from = entity.getPosition().clone();

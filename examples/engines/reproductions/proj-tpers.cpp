@@ -12,7 +12,7 @@ int main() {
   std::snprintf(text, sizeof text, "+proj=tpers +R=1 +tilt=0 +azi=%.17g +h=%.17g +lat_0=%.17g +lon_0=%.17g",
                 std::atan2(east, north) * degrees, h, lat * degrees, lon * degrees);
   const double x = {left} + ({i} + 0.5) / {width} * 2 * {right}, y = {bottom} + ({j} + 0.5) / {height} * 2 * {top};
-  const PJ_COORD at = proj_trans(proj_create(nullptr, text), PJ_INV, proj_coord(x / -{near} * h, y / -{near} * h, 0, 0));
+  const PJ_COORD at = proj_trans(proj_create(nullptr, text), PJ_INV, proj_coord(x / {near} * h, y / {near} * h, 0, 0));
   const double lambda = at.lp.lam, phi = at.lp.phi;
   if (lambda == HUGE_VAL) return !std::puts("miss");
   std::printf("%.17g %.17g %.17g\n", std::cos(phi) * std::cos(lambda), std::cos(phi) * std::sin(lambda), std::sin(phi));

@@ -1,6 +1,6 @@
 // node case.mjs, beside node_modules with three
 import { PerspectiveCamera, Raycaster, Sphere, Vector2, Vector3 } from "three";
-const camera = new PerspectiveCamera(2 * Math.atan({top} / -{near}) * (180 / Math.PI), {right} / {top}, -{near}, -1000 * {near});
+const camera = new PerspectiveCamera(2 * Math.atan({top} / {near}) * (180 / Math.PI), {right} / {top}, {near}, 1000 * {near});
 camera.position.set({ex}, {ey}, {ez});
 camera.up.set({ux}, {uy}, {uz});
 camera.lookAt({ax}, {ay}, {az});

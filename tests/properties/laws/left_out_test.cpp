@@ -44,6 +44,21 @@ TEST(LeftOut, LawsOfRaysNameTheMissingFunction) {
             "the candidate does not implement focal_ray()");
 }
 
+TEST(LeftOut, OfAPickAreTheLawsOfRays) {
+  Candidate picks;
+  picks.refuses = false;
+  picks.pick = [](auto&&...) { return std::vector<SphereHits>(2); };
+  const Case the_case = two_spheres_ahead();
+  EXPECT_EQ(reason_for("class", the_case, picks), "");
+  EXPECT_EQ(reason_for("direction", the_case, picks),
+            "the candidate does not implement pixel_ray()");
+  for (const char* law : {"backward-error", "growing-radius", "exchange"}) {
+    EXPECT_EQ(reason_for(law, the_case, picks), "pick() is asked for pixels, not for rays") << law;
+  }
+  EXPECT_EQ(reason_for("class", at_height(0), picks),
+            "the candidate does not implement intersect()");
+}
+
 TEST(LeftOut, OfARendererAreAllLawsButThoseOfPictures) {
   Candidate draws;
   draws.image = [](auto&&...) { return ImageAnswer(9); };

@@ -108,18 +108,12 @@ function hitWords(hit, returns) {
 async function answer(functions, returns, { name, camera, pixels, rays, spheres, conventions }) {
   if (name === "frame") return (await functions.frame(camera)).map((axis) => line(axis));
   const lines = [];
-  if (name === "pick") {
+  if (name === "intersect" || name === "pick") {
     for (const [s, sphere] of spheres.entries()) {
-      for (const [p, pixel] of pixels.entries()) {
-        const hit = hitWords(await functions.pick(camera, conventions, pixel, sphere), returns);
-        if (hit) lines.push(`${p} ${s} ${hit}`);
-      }
-    }
-  } else if (name === "intersect") {
-    for (const [s, sphere] of spheres.entries()) {
-      const batch = await functions.intersectBatch?.(rays, sphere, conventions);
-      for (const [r, ray] of rays.entries()) {
-        const hit = hitWords(batch ? batch[r] : await functions.intersect(ray, sphere, conventions), returns);
+      const one = (asked) => (pixels ? functions.pick(camera, conventions, asked, sphere) : functions.intersect(asked, sphere, conventions));
+      const batch = rays && (await functions.intersectBatch?.(rays, sphere, conventions));
+      for (const [r, asked] of (pixels ?? rays).entries()) {
+        const hit = hitWords(batch ? batch[r] : await one(asked), returns);
         if (hit) lines.push(`${r} ${s} ${hit}`);
       }
     }
