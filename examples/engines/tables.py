@@ -25,6 +25,8 @@ def chart(rows, path):
         if "-" not in (cells["time"], cells["far"]):
             power = re.match(r"10\^(\d+)", cells["far"])
             dots.append((float(cells["time"]), int(power[1]) if power else 15 * (cells["far"] == "all"), name))
+    if not dots:
+        return
     least, most = (math.log10(choose(ratio for ratio, _, _ in dots)) for choose in (min, max))
     across = lambda ratio: 70 + 780 * (math.log10(ratio) - least) / max(most - least, 1e-9)
     up = lambda held: 500 - 28 * held
