@@ -24,7 +24,7 @@ from tables import FRONTIERS, LEVELS, kind_of, line, table, write
 REPRODUCTION_SECONDS = 1800  # a backstop: a reproduction takes seconds, on a busy machine minutes
 HERE = pathlib.Path(__file__).parent
 OWN = ("quadratic", "cross", "robust")
-LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "glsl": "GLSL", "opencl": "OpenCL"}
+LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "java": "Java", "glsl": "GLSL", "opencl": "OpenCL"}
 LAWS = {  # by law: the kind of answer that a column shows
     "class": "class", "growing-radius": "class", "exchange": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",

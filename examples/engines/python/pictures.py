@@ -1,5 +1,5 @@
 """Shared by the adapters of renderers: the scene that raycheck gives, and PPM files."""
-import sys
+import math
 import typing
 
 
@@ -39,26 +39,32 @@ def words(numbers, between=" "):
     return between.join(f"{x:.17g}" for x in numbers)
 
 
-def cannot_express():
-    """Ends an adapter whose renderer has no such camera or sphere."""
-    sys.exit(77)
-
-
-def read(driver):
-    view, spheres = {}, []
-    for line in open(driver):
+def read(path):
+    """The scene of a driver file, or of an NFF file, whose camera has one angle and square pixels."""
+    view, spheres, colour = {}, [], None
+    for line in open(path):
         name, *rest = line.split("#")[0].split() or [""]
-        if name == "sphere":
-            spheres.append([float(word) for word in rest[:7]])
+        numbers = [float(word) for word in rest]
+        if name == "f":
+            colour = numbers[:3]
+        elif name in ("s", "sphere"):
+            spheres.append(numbers + colour if name == "s" else numbers[:7])
         elif name:
-            view[name] = [float(word) for word in rest]
-    W = unit(combined((1, view["eye"]), (-1, view["look"])))
+            view[name] = numbers
+    is_nff = "from" in view
+    eye = view["from" if is_nff else "eye"]
+    W = unit(combined((1, eye), (-1, view["at" if is_nff else "look"])))
     U = unit(cross(view["up"], W))
-    left, right, bottom, top = view["bounds"]
-    width, height = map(int, view["res"])
-    # The bounds are those of the first and last pixels' centres; raycheck gives pictures of two pixels or more each way.
-    x, y = (right - left) / (2 * (width - 1)), (top - bottom) / (2 * (height - 1))
-    return Scene(view["eye"], U, cross(W, U), W, view["d"][0], left - x, right + x, bottom - y, top + y, width, height, spheres)
+    width, height = map(int, view["resolution" if is_nff else "res"])
+    if is_nff:
+        near, top = -1, math.tan(math.radians(view["angle"][0]) / 2)
+        left, right, bottom = -top * width / height, top * width / height, -top
+    else:
+        # The bounds are those of the first and last pixels' centres; raycheck gives pictures of two pixels or more each way.
+        (near,), (left, right, bottom, top) = view["d"], view["bounds"]
+        x, y = (right - left) / (2 * (width - 1)), (top - bottom) / (2 * (height - 1))
+        left, right, bottom, top = left - x, right + x, bottom - y, top + y
+    return Scene(eye, U, cross(W, U), W, near, left, right, bottom, top, width, height, spheres)
 
 
 def write_ppm(path, width, height, pixel):

@@ -1,31 +1,30 @@
-"""The ray tracer of PyMOL (Debian: python3-pymol): pymol-ray.py DRIVER IMAGE. Its camera has a vertical field of view and square
-pixels, and looks along -z of its view. Source: https://pymolwiki.org: ray, cgo, get_view; settings ambient, direct, light_count."""
+"""The ray tracer of PyMOL (Debian: python3-pymol): pymol-ray.py NFF IMAGE. Its camera looks along -z of its view. It does not
+show the inside of a sphere, or shows it as a cut through a solid ball: scenes with the eye in a sphere are left out. Source:
+https://pymolwiki.org: ray, CGO Shapes, Get View, Ray_interior_color, and the settings that are set here."""
 import contextlib
 import math
 import os
 import sys
 
-from pictures import cannot_express, combined, read
+from pictures import combined, read
 
-SCALE = 1024  # its nearest clipping plane is at 1
+SCALE = 1024  # what is nearer than 1 is cut off
 
-driver, image = sys.argv[1:]
-it = read(driver)
-across, upwards = it.right - it.left, it.top - it.bottom
-centred = abs(it.left + it.right) <= 1e-9 * across and abs(it.bottom + it.top) <= 1e-9 * upwards
-if it.near > 0 or not centred or abs(across / it.width - upwards / it.height) > 1e-9 * upwards / it.height:
-    cannot_express()
+scene, image = sys.argv[1:]
+it = read(scene)
+if any(math.dist(it.eye, sphere[:3]) - sphere[3] < 0.01 for sphere in it.spheres):
+    sys.exit(77)
 with contextlib.redirect_stdout(sys.stderr):
     import pymol2
     with pymol2.PyMOL() as session:
         cmd = session.cmd
         for name, value in dict(ambient=1, direct=0, reflect=0, specular=0, light_count=1, ray_shadows=0, antialias=0, depth_cue=0,
                                 ray_trace_fog=0, orthoscopic=0, ray_opaque_background=1, gamma=1, max_threads=1,
-                                field_of_view=math.degrees(2 * math.atan2(upwards / 2, -it.near))).items():
+                                field_of_view=math.degrees(2 * math.atan(it.top))).items():
             cmd.set(name, value)
         cmd.bg_color("black")
-        cgo = [number for x, y, z, radius, *colour in it.spheres for number in (6.0, *colour, 7.0, SCALE * x, SCALE * y, SCALE * z, SCALE * radius)]
-        cmd.load_cgo(cgo, "spheres", zoom=0)
+        cmd.load_cgo([number for x, y, z, radius, *colour in it.spheres for number in
+                      (6.0, *colour, 7.0, SCALE * x, SCALE * y, SCALE * z, SCALE * radius)], "spheres", zoom=0)
         far = 2 * SCALE * max(math.dist(it.eye, sphere[:3]) + sphere[3] for sphere in it.spheres)
         # The rotation by columns; the centre of rotation in the camera's coordinates and in those of the scene; the nearest and
         # the farthest depths; perspective.
