@@ -24,7 +24,8 @@ from tables import FRONTIERS, LEVELS, kind_of, line, table, write
 REPRODUCTION_SECONDS = 1800  # a backstop: a reproduction takes seconds, on a busy machine minutes
 HERE = pathlib.Path(__file__).parent
 OWN = ("quadratic", "cross", "robust")
-LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "java": "Java", "glsl": "GLSL", "opencl": "OpenCL"}
+LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "glsl": "GLSL", "opencl": "OpenCL",
+             "gdscript": "GDScript", "haskell": "Haskell", "java": "Java", "octave": "Octave", "r": "R"}
 LAWS = {  # by law: the kind of answer that a column shows
     "class": "class", "growing-radius": "class", "exchange": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",
@@ -164,8 +165,9 @@ def reproduction(engine, numbers, build, may_fail):
         source = folder / f"case{kind}"
         source.write_text(text)
         run = {".mjs": f"node {engine.get('command', 'node')[5:]} case.mjs", ".py": f"/usr/bin/python3 {source}"}.get(kind)
-        # The first line of a program to compile contains the command.
-        run = run or text.splitlines()[0].strip("/* ") + " && ./case"
+        # The first line of another program contains the command that runs it, or compiles it.
+        first = text.splitlines()[0].strip("/*%#- ")
+        run = run or first + (" && ./case" if "-o case" in first else "")
         shown = subprocess.run(["sh", "-c", run], cwd=npm if kind == ".py" and npm.exists() else folder, capture_output=True,
                                text=True, timeout=REPRODUCTION_SECONDS)
     finally:
@@ -400,7 +402,8 @@ def mildest(pages):
 
 def add_times(pages, raycheck, build):
     """Sets the time for a ray, divided by that of `quadratic`, of engines that can be called in process; one run times all."""
-    libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and not page.engine.get("picks")]
+    libraries = [page for page in pages if page.engine["language"] in ("c++", "c")
+                 and not page.engine.get("picks") and "command" not in page.engine]
     if not libraries:
         return
     words = [word for page in libraries if page.name not in OWN for word in ("--candidate", words_of(page.engine, build)[0])]

@@ -1,0 +1,36 @@
+"""A program in any language that answers line by line: python3 lines.py FILE. The first line of FILE is a comment with the
+command that runs it; {} stands for its path. It reads lines of ten numbers: the origin and the direction of a ray, the centre
+and the radius of a sphere. It answers each with a line: "= miss", "= hit", or "= " and the numbers of its answer; other lines
+are ignored. Comment lines `raycheck WORD VALUE...` are its declarations, with the keywords of raycheck_candidate.run.
+"""
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+import raycheck_candidate as rc
+
+
+def main(file):
+    source = pathlib.Path(file).read_text()
+    command = re.sub(r"^\W*|\W*$", "", source.splitlines()[0].replace("{}", shlex.quote(file)))
+    program = subprocess.Popen(["sh", "-c", command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+                               env=os.environ | {"HOME": os.getcwd()})
+
+    def intersect(ray, sphere, _):
+        numbers = [x for part in (*ray, *sphere) for x in (part if isinstance(part, tuple) else [part])]
+        print(*numbers, file=program.stdin, flush=True)
+        answer = next((line[2:].split() for line in program.stdout if line.startswith("= ")), None)
+        if answer is None:
+            raise RuntimeError(f"the program ended: {command}")
+        if answer in (["miss"], ["hit"]):
+            return answer == ["hit"]
+        values = tuple(map(float, answer))
+        return values if len(values) > 1 else values[0]
+
+    rc.run(pathlib.Path(file).stem, intersect=intersect, **dict(re.findall(r"^\W+raycheck (\S+) (.*)$", source, re.MULTILINE)))
+
+
+main(sys.argv[1])

@@ -1,0 +1,16 @@
+"""NumPy's roots() (Debian python3-numpy) for the textbook's rounded coefficients: eigenvalues of a companion matrix. "The values
+in the rank-1 array p are coefficients of a polynomial"; returns complex roots, in no promised order; roots with the imaginary
+part 0 are real. Source: its documentation string."""
+import numpy
+
+import raycheck_candidate as rc
+
+
+def intersect(ray, sphere, _):
+    (origin, d), (centre, r) = (tuple(map(numpy.array, ray)), sphere)
+    f = origin - numpy.array(centre)
+    s = numpy.roots([d @ d, 2 * (f @ d), f @ f - r * r])
+    return (min(s.real), max(s.real)) if len(s) and not s.imag.any() else None
+
+
+rc.run("numpy", returns="roots", root="nearest", tangent="either", level="ordinary", intersect=intersect)
