@@ -1,0 +1,5 @@
+// node case.mjs, beside node_modules with @cesium/engine
+import { Cartesian3, Ellipsoid, IntersectionTests, Ray } from "@cesium/engine";
+const ray = new Ray(new Cartesian3({ox}, {oy}, {oz}), new Cartesian3({dx}, {dy}, {dz}));
+const interval = IntersectionTests.rayEllipsoid(ray, new Ellipsoid({r}, {r}, {r}));
+console.log(interval ? interval.stop : "miss");
