@@ -4,14 +4,19 @@
 import { createRequire } from "node:module";
 import { run } from "./raycheck_candidate.mjs";
 
-const anything = new Proxy(class {}, { get: (_, name) => (name === Symbol.toPrimitive ? () => "" : anything), apply: () => anything });
-Object.assign(globalThis, { window: globalThis, self: globalThis, document: anything });
+const anything = new Proxy(class {}, {
+  get: (_, name) => (name === Symbol.toPrimitive ? () => "" : anything),
+  apply: () => anything,
+});
+Object.assign(globalThis, { window: globalThis, self: globalThis, document: anything, navigator: { userAgent: "" } });
 const { Ray, Sphere, Vector3 } = createRequire(import.meta.url)("3dmol");
 
 function intersect({ origin, direction }, { centre, radius }) {
-  return new Ray(new Vector3(...origin), new Vector3(...direction)).isIntersectionSphere(new Sphere(new Vector3(...centre), radius));
+  const ray = new Ray(new Vector3(...origin), new Vector3(...direction));
+  return ray.isIntersectionSphere(new Sphere(new Vector3(...centre), radius));
 }
 
 run("3dmol", {
-  directions: "unit", returns: "class", root: "smaller", tangent: "either", roots: { tMin: -Infinity }, level: "ordinary", intersect,
+  directions: "unit", returns: "class", root: "smaller", tangent: "either", roots: { tMin: -Infinity },
+  level: "ordinary", intersect,
 });

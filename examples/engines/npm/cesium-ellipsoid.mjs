@@ -17,5 +17,7 @@ function intersect({ origin, direction }, { radius }) {
   return interval && (interval.start > 0 && !far ? interval.start : interval.stop);
 }
 
-run("cesium-ellipsoid", { placement: "origin", returns: "distance", root: "nearest", tangent: "either", level: "ordinary", intersect,
-  ...(far && { roots: { culling: "front-faces" } }) });
+run("cesium-ellipsoid", {
+  placement: "origin", returns: "distance", root: "nearest", tangent: "either", level: "ordinary", intersect,
+  ...(far && { roots: { culling: "front-faces" } }),
+});

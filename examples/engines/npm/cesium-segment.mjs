@@ -15,5 +15,6 @@ function intersect({ origin, direction: end }, { centre, radius }) {
 }
 
 run("cesium-segment", {
-  rays: "end", fromInside: "start", returns: "distance", root: "nearest", tangent: "either", tMax: 1, level: "ordinary", intersect,
+  rays: "end", fromInside: "start", returns: "distance", root: "nearest", tangent: "either", tMax: 1,
+  level: "ordinary", intersect,
 });

@@ -9,8 +9,8 @@ const points = process.argv[2] === "points";
 
 function intersect({ origin, direction }, { centre, radius }) {
   const sphere = Ellipsoid.createCenterMatrixRadii(Point3d.create(...centre), undefined, radius, radius, radius);
-  const fractions = [], xyz = [];
-  const count = sphere.intersectRay(Ray3d.create(Point3d.create(...origin), Vector3d.create(...direction)), fractions, xyz, undefined);
+  const ray = Ray3d.create(Point3d.create(...origin), Vector3d.create(...direction)), fractions = [], xyz = [];
+  const count = sphere.intersectRay(ray, fractions, xyz, undefined);
   return count === 0 ? null : points ? xyz[0].toArray() : [fractions[0], fractions[count - 1]];
 }
 

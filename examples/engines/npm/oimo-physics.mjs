@@ -13,4 +13,6 @@ function intersect({ origin, direction: end }, { centre, radius }) {
   return new SphereGeometry(radius).rayCast(new Vec3(...origin), new Vec3(...end), placed, hit) ? hit.fraction : null;
 }
 
-run("oimo-physics", { rays: "end", returns: "parameter", root: "smaller", tangent: "either", tMax: 1, level: "ordinary", intersect });
+run("oimo-physics", {
+  rays: "end", returns: "parameter", root: "smaller", tangent: "either", tMax: 1, level: "ordinary", intersect,
+});

@@ -4,7 +4,10 @@
 // while loading is faked here. Source: lib/math/Ray.d.ts, lib/ellipsoid/Ellipsoid.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 
-const anything = new Proxy(class {}, { get: (_, name) => (name === Symbol.toPrimitive ? () => "" : anything), apply: () => anything });
+const anything = new Proxy(class {}, {
+  get: (_, name) => (name === Symbol.toPrimitive ? () => "" : anything),
+  apply: () => anything,
+});
 Object.assign(globalThis, { window: globalThis, document: anything, HTMLElement: class {} });
 const { Ellipsoid, Ray, Vec3, bv } = await import("@openglobus/og");
 const ellipsoid = process.argv[2] === "ellipsoid";
@@ -16,5 +19,6 @@ function intersect({ origin, direction }, { centre, radius }) {
 }
 
 run("openglobus", {
-  returns: "point", root: "nearest", tangent: "either", level: "ordinary", intersect, ...(ellipsoid && { placement: "origin" }),
+  returns: "point", root: "nearest", tangent: "either", level: "ordinary", intersect,
+  ...(ellipsoid && { placement: "origin" }),
 });

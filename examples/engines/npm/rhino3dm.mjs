@@ -14,4 +14,6 @@ function intersect({ origin, direction: end }, { centre, radius }) {
   return kind.value === 0 ? null : first;
 }
 
-run("rhino3dm", { rays: "end", returns: "point", root: "smaller", tangent: "either", tMin: -Infinity, level: "ordinary", intersect });
+run("rhino3dm", {
+  rays: "end", returns: "point", root: "smaller", tangent: "either", tMin: -Infinity, level: "ordinary", intersect,
+});

@@ -15,7 +15,9 @@ function intersect({ origin, direction }, { radius }) {
   const line = new Line(new Vec3(...origin), new Vec3(...direction)), point = new Vec3(0, 0, 0);
   const globe = Object.assign(Object.create(Globe.prototype),
     { equatorialRadius: radius, polarRadius: radius, is2D: () => false });
-  const hit = asLine ? WWMath.computeEllipsoidalGlobeIntersection(line, radius, radius, point) : globe.intersectsLine(line, point);
+  const hit = asLine
+    ? WWMath.computeEllipsoidalGlobeIntersection(line, radius, radius, point)
+    : globe.intersectsLine(line, point);
   return hit && [0, 1, 2].map((k) => point[k]);
 }
 
