@@ -1,12 +1,12 @@
 // kld-polynomial (npm), Polynomial.getRoots() of the textbook's rounded coefficients: the real roots, a double root once.
 // Silent about accuracy. Source: README.md, lib/Polynomial.js.
-import { coefficients, ends } from "./quadratic.mjs";
+import { chosen, coefficients } from "./quadratic.mjs";
 import { run } from "./raycheck_candidate.mjs";
 import { Polynomial } from "kld-polynomial";
 
 function intersect(ray, sphere) {
   const { a, b, c } = coefficients(ray, sphere);
-  return ends(new Polynomial(a, b, c).getRoots());
+  return chosen(new Polynomial(a, b, c).getRoots());
 }
 
-run("kld-polynomial", { returns: "roots", root: "nearest", tangent: "either", level: "ordinary", intersect });
+run("kld-polynomial", { returns: "parameter", root: "nearest", tangent: "either", level: "ordinary", intersect });

@@ -6,5 +6,5 @@ export function coefficients({ origin, direction }, { centre, radius }) {
   return { a: dot(direction, direction), b: 2 * dot(f, direction), c: dot(f, f) - radius * radius };
 }
 
-/** The first and the last of a solver's roots, in the order of raycheck; null if there is none. */
-export const ends = (roots) => (roots.length ? [Math.min(...roots), Math.max(...roots)] : null);
+/** The first root in front of the origin, of those that a solver found; null if there is none. */
+export const chosen = (roots) => roots.filter((s) => s >= 0).sort((s, t) => s - t)[0] ?? null;
