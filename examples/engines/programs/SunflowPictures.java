@@ -18,7 +18,7 @@ import org.sunflow.math.Vector3;
  * an aspect and a shift, and rays through the edges of the picture. Its spheres are the unit sphere, transformed. Source: the
  * wiki of sunflow.sourceforge.net, Cameras, Shaders and Primitives.
  */
-class Sunflow {
+class SunflowPictures {
   public static void main(String[] arguments) throws Exception {
     Map<String, float[]> view = new HashMap<>();
     SunflowAPI api = new SunflowAPI();
