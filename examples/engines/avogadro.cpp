@@ -1,7 +1,7 @@
-// Avogadro's Rendering::SphereGeometry::hits, in floats: the spheres that are hit by the ray from an
-// origin to an end, with its unit direction. The depths that it returns, too, are not documented.
-// Debian: libavogadro-dev; -lAvogadroRendering -lAvogadroCore.
-// Source: avogadro/rendering/spheregeometry.h. Silent on tangents. Its rays end far behind all spheres.
+// Avogadro's Rendering::SphereGeometry::hits, in floats: the spheres that are hit by the ray from
+// an origin to an end, with its unit direction. The depths that it returns, too, are not
+// documented. Debian: libavogadro-dev; -lAvogadroRendering -lAvogadroCore. Source:
+// avogadro/rendering/spheregeometry.h. Silent on tangents. Its rays end far behind all spheres.
 
 #include <avogadro/rendering/spheregeometry.h>
 

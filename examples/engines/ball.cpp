@@ -1,7 +1,7 @@
 // BALL's GetIntersection(TSphere3, TLine3), in doubles: both points of a line p + x d, in no stated
 // order; the adapter takes the first along the line. Debian: libball1.5-dev.
-// Source: BALL/MATHS/analyticalGeometry.h. Silent on tangents, and on its absolute Constants::EPSILON of
-// 1e-6, below which the root of the discriminant counts as 0.
+// Source: BALL/MATHS/analyticalGeometry.h. Silent on tangents, and on its absolute
+// Constants::EPSILON of 1e-6, below which the root of the discriminant counts as 0.
 
 #include <BALL/MATHS/analyticalGeometry.h>
 

@@ -1,7 +1,7 @@
 // FOX's FXSphered::intersect (with the macro SINGLE, FXSpheref), in doubles: whether a ray from one
 // point to another meets the sphere. Debian: libfox-1.6-dev; -lFOX-1.6.
-// Source: FXSphered.h: "Intersect sphere with ray u-v". Silent on tangents, and on whether the ray ends
-// at v (here it does not, the milder reading). Both points are given by raycheck (rays end).
+// Source: FXSphered.h: "Intersect sphere with ray u-v". Silent on tangents, and on whether the ray
+// ends at v (here it does not, the milder reading). Both points are given by raycheck (rays end).
 
 #include <fox-1.6/fx.h>
 #include <fox-1.6/fx3d.h>

@@ -1,7 +1,7 @@
-// Open Inventor's (SGI) SbSphere::intersect(SbLine, enter, exit), in floats: the points where the line
-// enters and leaves the sphere. Debian: libinventor1. Its headers, in inventor-dev, cannot be installed
-// beside those of Coin, so that this file declares what it calls.
-// Source: Inventor/SbLinear.h: a line goes through two points, directed from the first to the second.
+// Open Inventor's (SGI) SbSphere::intersect(SbLine, enter, exit), in floats: the points where the
+// line enters and leaves the sphere. Debian: libinventor1. Its headers, in inventor-dev, cannot be
+// installed beside those of Coin, so that this file declares what it calls. Source:
+// Inventor/SbLinear.h: a line goes through two points, directed from the first to the second.
 // Silent on tangents. Both points are given by raycheck (rays end).
 
 #define SINGLE

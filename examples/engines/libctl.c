@@ -1,8 +1,7 @@
-/* libctl's (MEEP, MPB) intersect_line_with_object of a sphere, in doubles: the two parameters s of the
-   points p + s d, for a line. Debian: libctl-dev; -lctlgeom.
-   Source: utils/geom.c: "Compute the intersections with o of a line along p+s*d, returning the number
-   of intersections (at most 2) and the two intersection s values". Silent on their order and on
-   tangents. */
+/* libctl's (MEEP, MPB) intersect_line_with_object of a sphere, in doubles: the two parameters s of
+   the points p + s d, for a line. Debian: libctl-dev; -lctlgeom. Source: utils/geom.c: "Compute the
+   intersections with o of a line along p+s*d, returning the number of intersections (at most 2) and
+   the two intersection s values". Silent on their order and on tangents. */
 
 #include <ctlgeom.h>
 #include <math.h>

@@ -1,6 +1,6 @@
-// MRPT's CSphere::traceRay, in doubles, of a sphere whose radius is a float: the distance along the x
-// axis of a pose to the nearest hit. The adapter makes the pose's rotation; its first column is the
-// ray's unit direction in doubles. Debian: libmrpt-opengl-dev; -lmrpt-opengl -lmrpt-poses.
+// MRPT's CSphere::traceRay, in doubles, of a sphere whose radius is a float: the distance along the
+// x axis of a pose to the nearest hit. The adapter makes the pose's rotation; its first column is
+// the ray's unit direction in doubles. Debian: libmrpt-opengl-dev; -lmrpt-opengl -lmrpt-poses.
 // Source: CRenderizable.h: traceRay "simulates a ray; o: the pose of the ray emission point; dist:
 // the distance to the object". Silent on tangents.
 

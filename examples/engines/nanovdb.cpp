@@ -1,7 +1,7 @@
-// NanoVDB's Ray<T>::intersects(center, radius, t0, t1), in doubles (with the macro SINGLE, in floats):
-// both parameters, clipped to the ray's interval, which starts at Delta<T>. Debian: libnanovdb-dev.
-// Source: nanovdb/util/Ray.h: "if t0 == this->t0() or t1 == this->t1() only one true intersection
-// exists". Silent on tangents.
+// NanoVDB's Ray<T>::intersects(center, radius, t0, t1), in doubles (with the macro SINGLE, in
+// floats): both parameters, clipped to the ray's interval, which starts at Delta<T>. Debian:
+// libnanovdb-dev. Source: nanovdb/util/Ray.h: "if t0 == this->t0() or t1 == this->t1() only one
+// true intersection exists". Silent on tangents.
 
 #include <nanovdb/util/Ray.h>
 

@@ -1,11 +1,10 @@
-// QMath3d's (Qt3D 1) QSphere3D::intersection(QRay3D), in floats: the parameter t >= 0 of the nearest
-// hit, or NaN. With the macro BOTH, intersection(ray, &minimum_t, &maximum_t): both parameters, also
-// negative ones, equal for a tangent. Debian: libqmath3d-dev; -lQMath3d.
-// Source: the comments of qsphere3d.cpp, and of qray3d.cpp: directions of any length.
-
-#include <qsphere3d.h>
+// QMath3d's (Qt3D 1) QSphere3D::intersection(QRay3D), in floats: the parameter t >= 0 of the
+// nearest hit, or NaN. With the macro BOTH, intersection(ray, &minimum_t, &maximum_t): both
+// parameters, also negative ones, equal for a tangent. Debian: libqmath3d-dev; -lQMath3d. Source:
+// the comments of qsphere3d.cpp, and of qray3d.cpp: directions of any length.
 
 #include <qray3d.h>
+#include <qsphere3d.h>
 
 #include <cmath>
 

@@ -1,10 +1,9 @@
 // g++ {} -L/usr/lib/$(gcc -print-multiarch)/epix -lepix -o epix && ./epix
-// ePiX's operator*(Segment, Sphere), in doubles: the chord that the segment's line cuts from the sphere, or a malformed Segment.
-// Debian: epix, whose library is static and not position-independent. Source: epix/intersections.h. Silent on tangents and on
-// the order of the points; the adapter takes the first along the line. Both points of the line are given by raycheck.
-// raycheck rays end
-// raycheck roots [] -inf inf absolute none
-// raycheck returns point
+// ePiX's operator*(Segment, Sphere), in doubles: the chord that the segment's line cuts from the
+// sphere, or a malformed Segment. Debian: epix, whose library is static and not
+// position-independent. Source: epix/intersections.h. Silent on tangents and on the order of the
+// points; the adapter takes the first along the line. Both points of the line are given by
+// raycheck. raycheck rays end raycheck roots [] -inf inf absolute none raycheck returns point
 // raycheck root nearest
 // raycheck tangent either
 // raycheck level ordinary
@@ -16,7 +15,8 @@ using ePiX::P;
 
 int main() {
   double x[10];
-  while (std::scanf("%lf%lf%lf%lf%lf%lf%lf%lf%lf%lf", x, x + 1, x + 2, x + 3, x + 4, x + 5, x + 6, x + 7, x + 8, x + 9) == 10) {
+  while (std::scanf("%lf%lf%lf%lf%lf%lf%lf%lf%lf%lf", x, x + 1, x + 2, x + 3, x + 4, x + 5, x + 6,
+                    x + 7, x + 8, x + 9) == 10) {
     const P start(x[0], x[1], x[2]), end(x[3], x[4], x[5]);
     const ePiX::Segment chord = ePiX::Segment(start, end) * ePiX::Sphere(P(x[6], x[7], x[8]), x[9]);
     if (chord.malformed()) {
