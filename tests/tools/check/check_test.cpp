@@ -21,6 +21,30 @@ TEST(Check, runs_on_every_example_scene) {
   EXPECT_GE(scenes, 18);
 }
 
+/// A right tracer passes each scene that is about a case of other projects' tests; a slip about
+/// this case is a defect there.
+TEST(Check, scenes_of_the_fields_own_tests_catch_slips) {
+  const std::string right = "roots.t_min <= s < roots.t_max";
+  const auto defects = [](const std::string& scene, const std::string& counts) {
+    const json report =
+        judged("scene/examples/" + scene + ".toml",
+               tracer(scene + ".py", counts, "(s, point)", "(roots='as-asked', tangent='hit')"));
+    EXPECT_GT(quantity_of(report.at("quantities"), "class").at("cases"), 0) << scene;
+    return report.at("discrepancies_by_standing").at("defect").get<int>();
+  };
+  const std::pair<const char*, std::string> slips[] = {
+      {"eye-inside-off-centre", right + " and s == min(q / a, other)"},  // only the near root
+      {"limb-across-picture", right + " and under > 1e-5"},              // an epsilon
+      {"far-tiny-huge", right + " and s * math.sqrt(a) < 1e9"},          // a largest distance
+      {"points", right + " and under > 0"},                              // no tangents
+      {"half-open-range", "roots.t_min <= s <= roots.t_max"},            // a closed range
+  };
+  for (const auto& [scene, slip] : slips) {
+    EXPECT_EQ(defects(scene, right), 0) << scene;
+    EXPECT_GT(defects(scene, slip), 0) << scene;
+  }
+}
+
 TEST(Check, judges_the_chosen_candidates) {
   const std::size_t methods = fast::intersect_methods().size();
   EXPECT_EQ(printed_json("check scene/examples/first-camera.toml --all").at("candidates").size(),
