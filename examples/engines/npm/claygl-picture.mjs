@@ -6,7 +6,7 @@ import clay from "claygl";
 const { Vector2, Vector3, camera: { Perspective } } = clay;
 
 draw(({ eye, at, up, angle, width, height }) => {
-  const camera = new Perspective({ fov: angle, aspect: width / height });
+  const camera = new Perspective({ fov: angle, aspect: width / height, near: 0.001 });
   camera.position.set(...eye);
   camera.lookAt(new Vector3(...at), new Vector3(...up));
   camera.update();

@@ -13,6 +13,8 @@ from pictures import read
 
 path, image = sys.argv[sys.argv.index("--") + 1:]
 it = read(path)
+if min(it.width, it.height) < 4:  # the smallest picture
+    sys.exit(77)
 bpy.ops.wm.read_factory_settings(use_empty=True)
 scene = bpy.context.scene
 

@@ -22,15 +22,16 @@ TEST(Check, runs_on_every_example_scene) {
 }
 
 /// A right tracer passes each scene that is about a case of other projects' tests; a slip about
-/// this case is a defect there.
-TEST(Check, scenes_of_the_fields_own_tests_catch_slips) {
+/// this case shows there. A wrong hit of a point is excused, as any wrong tangent.
+TEST(Check, scenes_of_the_fields_own_tests_show_slips) {
   const std::string right = "roots.t_min <= s < roots.t_max";
-  const auto defects = [](const std::string& scene, const std::string& counts) {
+  const auto wrong = [](const std::string& scene, const std::string& counts) {
     const json report =
         judged("scene/examples/" + scene + ".toml",
                tracer(scene + ".py", counts, "(s, point)", "(roots='as-asked', tangent='hit')"));
     EXPECT_GT(quantity_of(report.at("quantities"), "class").at("cases"), 0) << scene;
-    return report.at("discrepancies_by_standing").at("defect").get<int>();
+    const json standing = report.at("discrepancies_by_standing");
+    return standing.at(scene == "points" ? "excused" : "defect").get<int>();
   };
   const std::pair<const char*, std::string> slips[] = {
       {"eye-inside-off-centre", right + " and s == min(q / a, other)"},  // only the near root
@@ -40,8 +41,8 @@ TEST(Check, scenes_of_the_fields_own_tests_catch_slips) {
       {"half-open-range", "roots.t_min <= s <= roots.t_max"},            // a closed range
   };
   for (const auto& [scene, slip] : slips) {
-    EXPECT_EQ(defects(scene, right), 0) << scene;
-    EXPECT_GT(defects(scene, slip), 0) << scene;
+    EXPECT_EQ(wrong(scene, right), 0) << scene;
+    EXPECT_GT(wrong(scene, slip), 0) << scene;
   }
 }
 
