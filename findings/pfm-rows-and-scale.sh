@@ -5,25 +5,22 @@
 # the top, and a line with a scale factor whose sign is the byte order. Renderers write depth and
 # HDR pictures in it, and both libraries are what converts them.
 #
-# The guess before this ran: both put the file's last row on top; at most the scale factor, which
-# nearly all files have as -1, is treated in two ways.
+# Guess: both put the file's last row on top; at most the scale factor, which nearly all files have
+# as -1, is treated in two ways.
 #
-# Seen with wasm-vips 0.0.19 (libvips 8.18.7) and @imagemagick/magick-wasm 0.0.43 (ImageMagick
-# 7.1.2-30), Node.js 20, on a valid picture of 2 x 3 pixels whose top row is 0.1 0.2:
-#   - ImageMagick: the top row is 0.1 0.2; libvips: the top row is 0.7 0.8, the bottom one;
-#   - with a scale of -2 ImageMagick doubles all values; libvips leaves them.
-# On Debian 12, by hand: FFmpeg 5.1.9 and libvips 8.14.1 have the bottom row on top, too; pfmtopam
+# Happens: libvips puts the file's first row on top, so the picture is upside down; with a scale of
+# -2 ImageMagick doubles all values, libvips leaves them.
+#
+# With: wasm-vips 0.0.19 (libvips 8.18.7), @imagemagick/magick-wasm 0.0.43 (ImageMagick 7.1.2-30),
+# Node.js 20
+#
+# The picture is valid: 2 x 3 pixels, the top row is 0.1 0.2. On Debian 12, by hand: FFmpeg 5.1.9 and libvips 8.14.1 have the bottom row on top, too; pfmtopam
 # (netpbm 11.1) and FFmpeg divide by the scale, OpenImageIO 2.4.7 and pfstools 2.2 multiply, G'MIC
 # 2.9.4 ignores it; and pfmtopam refuses what libvips writes, for its comment in the header.
 # Before two programs are compared by PFM, a picture that is not symmetric is tried.
-#
-# Fails where any of this changes.
-set -euo pipefail
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-npm init -y >/dev/null
-npm install --silent --no-audit --no-fund wasm-vips@0.0.19 @imagemagick/magick-wasm@0.0.43
+source "$(dirname "$0")/common.sh"
+needs node
+npm_packages wasm-vips@0.0.19 @imagemagick/magick-wasm@0.0.43
 
 cat >look.mjs <<'JS'
 import fs from "node:fs";
@@ -72,10 +69,9 @@ process.exit(0);
 JS
 
 node look.mjs | tee seen
-diff seen - <<'SEEN'
+as_stated <<'SEEN'
 ImageMagick, scale -1: 0.1 0.2 0.4 0.5 0.7 0.8
 libvips,     scale -1: 0.7 0.8 0.4 0.5 0.1 0.2
 ImageMagick, scale -2: 0.2 0.4 0.8 1.0 1.0 1.0
 libvips,     scale -2: 0.7 0.8 0.4 0.5 0.1 0.2
 SEEN
-echo "as described: libvips has PFM upside down, and the scale factor has two meanings"

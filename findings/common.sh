@@ -1,0 +1,44 @@
+# Sourced by each finding: works in a temporary folder, and installs packages there, not on the
+# machine. Exit statuses: 0 as stated, 1 changed, 77 could not install.
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+# NAME...: programs that the machine must have.
+needs() {
+  for program; do
+    command -v "$program" >/dev/null || { echo "could not install: $program is missing" && exit 77; }
+  done
+}
+
+# NAME@VERSION...
+npm_packages() {
+  needs npm
+  npm init -y >/dev/null
+  npm install --silent --no-audit --no-fund "$@" || { echo "could not install: $*" && exit 77; }
+}
+
+# NAME=VERSION...: unpacks those that the machine lacks, and what they need, below root/.
+debian_packages() {
+  mkdir -p debs/partial
+  apt-get -qq --download-only --no-install-recommends -o Debug::NoLocking=1 \
+    -o APT::Sandbox::User= -o Dir::Cache::archives="$folder/debs" install "$@" >apt.log 2>&1 ||
+    { cat apt.log && echo "could not install: $*" && exit 77; }
+  local lib=usr/lib/x86_64-linux-gnu deb link
+  mkdir -p "root/$lib"
+  for deb in debs/*.deb; do
+    [ ! -e "$deb" ] || dpkg-deb -x "$deb" root
+  done
+  find root -xtype l -name '*.so' | while read -r link; do
+    ln -sf "/$lib/$(readlink "$link")" "$link"  # the machine has the library itself
+  done
+  export CPATH=$folder/root/usr/include LIBRARY_PATH=$folder/root/$lib PATH=$folder/root/usr/bin:$PATH
+  export LD_LIBRARY_PATH=$folder/root/$lib PYTHONPATH=$folder/root/usr/lib/python3/dist-packages
+}
+
+# Compares the file seen with standard input.
+as_stated() {
+  diff seen - || { echo "changed: < is what was seen, > what was stated" && exit 1; }
+  echo "as stated"
+}
