@@ -62,7 +62,7 @@ def rows_of(text):
 
 
 def write(pages, engines, docs, others):
-    """Writes docs/field.md, in the order of `engines`, and docs/field/NAME.md; pages and rows of others stay if `others`."""
+    """Writes docs/field.md, in the order of `engines`, and docs/field/NAME.md; if `others`, the other pages and rows stay."""
     folder = docs / "field"
     folder.mkdir(exist_ok=True)
     rows = {page.title: line(page.row()) for page in pages}

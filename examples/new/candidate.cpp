@@ -17,6 +17,6 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
 // and .valid = {.t_min = 1e-3, .ends = Ends::open, .unit = TUnit::length} if it ignores hits nearer
 // than 1e-3; .directions = Directions::unit if it requires unit directions; .returns =
 // Returns::parameter, point, distance, squared_distance, class_only (it declares its root, too) or
-// roots. If your code has a type Ray of its own, write ::Ray for it and raycheck::Ray above.
+// roots. If your code has a type Ray, too, write ::Ray for it and raycheck::Ray above.
 RAYCHECK_CANDIDATE(.name = "NAME", .root = Root::nearest, .tangent = Tangent::either,
                    .intersect = intersect)

@@ -1,4 +1,4 @@
-"""`./run field --write NAME` writes the page and the row of this engine, and leaves those of others as they are."""
+"""`./run field --write NAME` writes the page and the row of this engine, and leaves the other pages as they are."""
 import difflib
 import pathlib
 import shutil
