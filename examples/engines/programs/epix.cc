@@ -2,8 +2,10 @@
 // ePiX's operator*(Segment, Sphere), in doubles: the chord that the segment's line cuts from the
 // sphere, or a malformed Segment. Debian: epix, whose library is static and not
 // position-independent. Source: epix/intersections.h. Silent on tangents and on the order of the
-// points; the adapter takes the first along the line. Both points of the line are given by
-// raycheck. raycheck rays end raycheck roots [] -inf inf absolute none raycheck returns point
+// points; the adapter takes the first along the line. Its points are given by raycheck.
+// raycheck rays end
+// raycheck roots [] -inf inf absolute none
+// raycheck returns point
 // raycheck root nearest
 // raycheck tangent either
 // raycheck level ordinary

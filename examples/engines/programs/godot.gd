@@ -15,19 +15,24 @@ extends SceneTree
 
 func _init():
 	var place = 0
-	while true:
+	while place >= 0:
 		var file = File.new()
-		if file.open("rays", File.READ) == OK and file.get_len() > place:
+		if file.open("rays", File.READ) == OK:
 			file.seek(place)
-			var line = file.get_line()
-			place = file.get_position()
-			if line == "":
-				break
-			answer(line.split_floats(" "))
-		else:
-			OS.delay_usec(100)
+			place = answer_lines(file, place)
 		file.close()
+		OS.delay_usec(200)
 	quit()
+
+func answer_lines(file, place):
+	while true:
+		var line = file.get_line()
+		if file.eof_reached():
+			return place  # no line, or the beginning of one
+		if line == "":
+			return -1
+		answer(line.split_floats(" "))
+		place = file.get_position()
 
 func answer(x):
 	var found = Geometry.segment_intersects_sphere(

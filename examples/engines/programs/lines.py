@@ -19,18 +19,26 @@ def main(file):
     program = subprocess.Popen(["sh", "-c", command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
                                env=os.environ | {"HOME": os.getcwd()})
 
-    def intersect(ray, sphere, _):
-        numbers = [x for part in (*ray, *sphere) for x in (part if isinstance(part, tuple) else [part])]
-        print(*numbers, file=program.stdin, flush=True)
-        answer = next((line[2:].split() for line in program.stdout if line.startswith("= ")), None)
-        if answer is None:
+    def answer():
+        words = next((line[2:].split() for line in program.stdout if line.startswith("= ")), None)
+        if words is None:
             raise RuntimeError(f"the program ended: {command}")
-        if answer in (["miss"], ["hit"]):
-            return answer == ["hit"]
-        values = tuple(map(float, answer))
+        if words in (["miss"], ["hit"]):
+            return words == ["hit"]
+        values = tuple(map(float, words))
         return values if len(values) > 1 else values[0]
 
-    rc.run(pathlib.Path(file).stem, intersect=intersect, **dict(re.findall(r"^\W+raycheck (\S+) (.*)$", source, re.MULTILINE)))
+    def intersect_batch(rays, sphere, _):
+        answers = []
+        for k in range(0, len(rays), 200):  # few enough for all answers to fit in the pipe
+            questions = [(*origin, *direction, *sphere[0], sphere[1]) for origin, direction in rays[k:k + 200]]
+            program.stdin.writelines(" ".join(map(repr, map(float, question))) + "\n" for question in questions)
+            program.stdin.flush()
+            answers += [answer() for _ in questions]
+        return answers
+
+    declared = dict(re.findall(r"^\W+raycheck (\S+) (.*)$", source, re.MULTILINE))
+    rc.run(pathlib.Path(file).stem, intersect_batch=intersect_batch, **declared)
 
 
 main(sys.argv[1])

@@ -1,7 +1,7 @@
 # blender --background --factory-startup --python {}
-# Blender's mathutils.geometry.intersect_line_sphere, in floats, for lines: both points where the line through two points meets the sphere, in no stated order; the adapter
-# takes the first along the line. Debian: blender. Source:
-# its documentation string. Silent on tangents. Both points are given by raycheck (rays end).
+# Blender's mathutils.geometry.intersect_line_sphere, in floats, for lines: both points where the line through two points meets
+# the sphere, in no stated order; the adapter takes the first along the line. Debian: blender. Source: its documentation string.
+# Silent on tangents. Both points are given by raycheck (rays end).
 # raycheck precision single
 # raycheck lengths 1e-9 1e9
 # raycheck rays end

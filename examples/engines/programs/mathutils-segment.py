@@ -1,7 +1,7 @@
 # blender --background --factory-startup --python {}
-# Blender's mathutils.geometry.intersect_line_sphere, in floats, for segments (clip): of these points, those between the two
-# given ones, in no stated order; the adapter takes the first along the segment. Debian: blender. Source:
-# its documentation string. Silent on tangents. Both points are given by raycheck (rays end).
+# Blender's mathutils.geometry.intersect_line_sphere, in floats, for segments (clip): of the points where the line through two
+# points meets the sphere, those between these two, in no stated order; the adapter takes the first along the segment. Debian:
+# blender. Source: its documentation string. Silent on tangents. Both ends are given by raycheck (rays end).
 # raycheck precision single
 # raycheck lengths 1e-9 1e9
 # raycheck rays end
