@@ -1,5 +1,5 @@
 // Hilo3d (npm hilo3d), pictures by Ray.fromCamera and Ray.intersectsSphere. The objects of a browser that the package needs
-// while loading are faked here. Source: types/index.d.ts.
+// while loading are faked here. It takes only the smaller root. Source: types/index.d.ts.
 import { draw } from "./pictures.mjs";
 
 const element = { getContext: () => ({}), style: {} };
@@ -19,4 +19,4 @@ draw(({ eye, at, up, angle, width, height }) => {
     ray.fromCamera(camera, x, y, width, height);
     return (centre, radius) => ray.intersectsSphere(centre, radius)?.distance(ray.origin);
   };
-});
+}, { culls: true });

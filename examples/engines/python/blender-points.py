@@ -1,6 +1,6 @@
 """Cycles of Blender (Debian: blender) on processors: blender --python blender-points.py -- NFF IMAGE. Its analytic spheres are
-the points of point clouds, which geometry nodes make of vertices; its UV spheres are meshes, and are not judged. A pixel's
-sample is at a random place in it. Source: manual 3.4, Point Cloud, Mesh to Points, Camera (Lens), Cycles (Render Settings)."""
+the points of point clouds, which geometry nodes make of vertices; its UV spheres are meshes, and are not judged. Points
+do not show their insides. A pixel's sample is at a random place in it. Source: manual 3.4, Point Cloud, Mesh to Points, Camera (Lens), Cycles (Render Settings)."""
 import math
 import os
 import sys
@@ -9,12 +9,13 @@ import bpy
 import mathutils
 
 sys.path.insert(0, os.path.dirname(__file__))
-from pictures import read
+from pictures import leave_out_from_inside, read
 
 path, image = sys.argv[sys.argv.index("--") + 1:]
 it = read(path)
 if min(it.width, it.height) < 4:  # the smallest picture
     sys.exit(77)
+leave_out_from_inside(it)
 bpy.ops.wm.read_factory_settings(use_empty=True)
 scene = bpy.context.scene
 

@@ -6,14 +6,13 @@ import math
 import os
 import sys
 
-from pictures import combined, read
+from pictures import combined, leave_out_from_inside, read
 
 SCALE = 1024  # what is nearer than 1 is cut off
 
 scene, image = sys.argv[1:]
 it = read(scene)
-if any(math.dist(it.eye, sphere[:3]) - sphere[3] < 0.01 for sphere in it.spheres):
-    sys.exit(77)
+leave_out_from_inside(it)
 with contextlib.redirect_stdout(sys.stderr):
     import pymol2
     with pymol2.PyMOL() as session:
