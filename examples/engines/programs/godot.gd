@@ -1,12 +1,12 @@
 # exec 3<&0; (cat <&3; echo) > rays & godot3-server -s {}
-# Godot 3's Geometry.segment_intersects_sphere in GDScript, in floats: the point where a segment first meets a sphere, and its
-# normal; an empty array for a miss. Debian: godot3-server. Source: its class reference, Geometry. Silent on tangents, and on
-# segments that start inside the sphere (the milder reading: they hit it where they leave it, if at all). Both ends of the
-# segment are given by raycheck (rays end). This Godot cannot read its standard input: it reads a file that grows.
+# Godot 3's Geometry.segment_intersects_sphere in GDScript, in floats: the point where a segment meets a sphere, and its normal;
+# an empty array for a miss. Debian: godot3-server. Source: its class reference, Geometry. Silent on tangents, and on segments
+# that start inside the sphere (the milder reading: only the point where a segment enters counts). Both ends of the segment are
+# given by raycheck (rays end). This Godot cannot read its standard input: it reads a file that grows.
 # raycheck precision single
 # raycheck lengths 1e-9 1e9
 # raycheck rays end
-# raycheck t_max 1
+# raycheck roots [] 0 1 absolute back-faces
 # raycheck returns point
 # raycheck root nearest
 # raycheck tangent either

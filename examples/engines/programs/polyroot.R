@@ -6,7 +6,7 @@
 # raycheck root nearest
 # raycheck tangent either
 # raycheck level ordinary
-input <- file("stdin", "r")
+input <- fifo("/dev/stdin", "r", blocking = TRUE)  # file("stdin") would wait for more than a line
 while (length(line <- readLines(input, 1)) > 0) {
   x <- as.numeric(strsplit(line, " ")[[1]])
   f <- x[1:3] - x[7:9]
