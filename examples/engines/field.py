@@ -25,7 +25,7 @@ REPRODUCTION_SECONDS = 1800  # a backstop: a reproduction takes seconds, on a bu
 HERE = pathlib.Path(__file__).parent
 OWN = ("quadratic", "cross", "robust")
 LANGUAGES = {"c++": "C++", "c": "C", "javascript": "JavaScript", "python": "Python", "glsl": "GLSL", "opencl": "OpenCL",
-             "gdscript": "GDScript", "haskell": "Haskell", "java": "Java", "octave": "Octave", "r": "R"}
+             "gdscript": "GDScript", "haskell": "Haskell", "java": "Java", "octave": "Octave"}
 LAWS = {  # by law: the kind of answer that a column shows
     "class": "class", "growing-radius": "class", "exchange": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",
