@@ -19,7 +19,9 @@ def main(file):
     program = subprocess.Popen(["sh", "-c", command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
                                env=os.environ | {"HOME": os.getcwd()})
 
-    def answer():
+    def intersect(ray, sphere, _):
+        # One line at a time: Octave would wait for the line after the last of several.
+        print(*map(float, (*ray[0], *ray[1], *sphere[0], sphere[1])), file=program.stdin, flush=True)
         words = next((line[2:].split() for line in program.stdout if line.startswith("= ")), None)
         if words is None:
             raise RuntimeError(f"the program ended: {command}")
@@ -28,17 +30,8 @@ def main(file):
         values = tuple(map(float, words))
         return values if len(values) > 1 else values[0]
 
-    def intersect_batch(rays, sphere, _):
-        answers = []
-        for k in range(0, len(rays), 200):  # few enough for all answers to fit in the pipe
-            questions = [(*origin, *direction, *sphere[0], sphere[1]) for origin, direction in rays[k:k + 200]]
-            program.stdin.writelines(" ".join(map(repr, map(float, question))) + "\n" for question in questions)
-            program.stdin.flush()
-            answers += [answer() for _ in questions]
-        return answers
-
     declared = dict(re.findall(r"^\W+raycheck (\S+) (.*)$", source, re.MULTILINE))
-    rc.run(pathlib.Path(file).stem, intersect_batch=intersect_batch, **declared)
+    rc.run(pathlib.Path(file).stem, intersect=intersect, **declared)
 
 
 main(sys.argv[1])
