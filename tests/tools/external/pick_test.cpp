@@ -86,7 +86,7 @@ void expect_judged(std::string (*candidate)(bool finds)) {
   EXPECT_EQ(right["discrepancies"], 0) << right.dump(2);
   EXPECT_GT(quantity_of(right["quantities"], "hit point")["cases"], 100) << candidate(true);
   const json misses = judged(kScene, candidate(false));
-  EXPECT_EQ(quantity_of(misses["quantities"], "class")["class_errors"],
+  EXPECT_EQ(quantity_of(misses["quantities"], "class")["wrong"],
             quantity_of(right["quantities"], "hit point")["cases"]);
 }
 
