@@ -1,5 +1,5 @@
 // Embree's rtcIntersect1 on a sphere point in a separate scene, in floats: tfar is the parameter of
-// the hit. Debian: libembree-dev; -lembree3. Source: the Embree 3 manual,
+// the hit. Debian: libembree-dev; -lembree3 or -lembree4. Source: the Embree manual,
 // RTC_GEOMETRY_TYPE_SPHERE_POINT and rtcIntersect1. Silent on tangents; directions of any length.
 
 #include "embree.h"
@@ -7,11 +7,9 @@
 using namespace raycheck;
 
 static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit query = {query_of(ray), {}};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(kept_scene_of(sphere), &context, &query);
+  rtcIntersect1(kept_scene_of(sphere), &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return Hit{query.ray.tfar, {}};
 }

@@ -3,7 +3,11 @@
 #ifndef ENGINES_EMBREE_H_
 #define ENGINES_EMBREE_H_
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <limits>
 #include <stdexcept>
@@ -62,5 +66,19 @@ inline RTCRay query_of(const raycheck::Ray& ray) {
   query.mask = ~0u;
   return query;
 }
+
+#if RTC_VERSION_MAJOR < 4
+struct Context : RTCIntersectContext {
+  Context() { rtcInitIntersectContext(this); }
+};
+inline void rtcIntersect1(RTCScene scene, RTCRayHit* query) {
+  Context context;
+  rtcIntersect1(scene, &context, query);
+}
+inline void rtcOccluded1(RTCScene scene, RTCRay* query) {
+  Context context;
+  rtcOccluded1(scene, &context, query);
+}
+#endif
 
 #endif  // ENGINES_EMBREE_H_

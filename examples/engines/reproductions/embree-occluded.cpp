@@ -1,5 +1,9 @@
-// g++ case.cpp -lembree3 -o case
+// g++ case.cpp /usr/lib/*/libembree[34].so -o case
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <cmath>
 #include <cstdio>
 int main() {
@@ -13,9 +17,13 @@ int main() {
   rtcAttachGeometry(scene, geometry);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcCommitScene(scene);
+  RTCRay query = {{ox}, {oy}, {oz}, 0, {dx}, {dy}, {dz}, 0, INFINITY, ~0u};
+#if RTC_VERSION_MAJOR < 4
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay query = {{ox}, {oy}, {oz}, 0, {dx}, {dy}, {dz}, 0, INFINITY, ~0u};
   rtcOccluded1(scene, &context, &query);
+#else
+  rtcOccluded1(scene, &query);
+#endif
   std::puts(query.tfar == -INFINITY ? "hit" : "miss");
 }

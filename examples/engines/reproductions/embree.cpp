@@ -1,5 +1,9 @@
-// g++ case.cpp -lembree3 -o case
+// g++ case.cpp /usr/lib/*/libembree[34].so -o case
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <cmath>
 #include <cstdio>
 int main() {
@@ -13,10 +17,14 @@ int main() {
   rtcAttachGeometry(scene, geometry);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcCommitScene(scene);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit query = {{{ox}, {oy}, {oz}, 0, {dx}, {dy}, {dz}, 0, INFINITY, ~0u}, {}};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR < 4
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
   rtcIntersect1(scene, &context, &query);
+#else
+  rtcIntersect1(scene, &query);
+#endif
   query.hit.geomID == 0 ? std::printf("%.9g\n", query.ray.tfar) : std::puts("miss");
 }

@@ -1,4 +1,4 @@
-// g++ case.cpp -I/usr/include/vtk-9.1 -lvtkCommonMath-9.1 -lvtkCommonCore-9.1 -o case
+// v=$(ls /usr/include | grep ^vtk-) && g++ case.cpp -I/usr/include/$v -lvtkCommonMath-${v#vtk-} -lvtkCommonCore-${v#vtk-} -o case
 #include <vtkPolynomialSolversUnivariate.h>
 #include <algorithm>
 #include <cstdio>
