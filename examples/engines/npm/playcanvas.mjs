@@ -7,7 +7,7 @@ import { BoundingSphere, Ray, Vec3 } from "playcanvas/build/playcanvas.mjs"; // 
 function intersect({ origin, direction }, { centre, radius }) {
   const point = new Vec3();
   const ray = new Ray(new Vec3(origin), new Vec3(direction));
-  return new BoundingSphere(new Vec3(centre), radius).intersectsRay(ray, point) && point.toArray();
+  return new BoundingSphere(new Vec3(centre), radius).intersectsRay(ray, point) && [point.x, point.y, point.z];
 }
 
 run("playcanvas", {
