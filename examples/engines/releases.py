@@ -86,7 +86,8 @@ def main():
     rows, same = [], []
     for engine in engines:
         name, reasons = engine["name"], dict(engine.get("changed", {}))
-        if name not in here or not engine.get("releases") and name not in newer:
+        # A page of the same version was not judged on Debian 13, whose packages all have other versions.
+        if name not in here or not engine.get("releases") and newer.get(name, here[name])[0] == here[name][0]:
             continue
         releases = [(version, jobs[name, version].result()) for version in engine.get("releases", [])] + [here[name]]
         if not engine.get("releases"):
