@@ -1,6 +1,7 @@
 # Sourced by each finding: works in a temporary folder, and installs packages there, not on the
 # machine. Exit statuses: 0 as stated, 1 changed, 77 could not install.
 set -euo pipefail
+findings=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -41,4 +42,21 @@ debian_packages() {
 as_stated() {
   diff seen - || { echo "changed: < is what was seen, > what was stated" && exit 1; }
   echo "as stated"
+}
+
+# Makes ./compute (compute.c) for the Vulkan devices llvmpipe (Mesa) and SwiftShader (Chromium), and
+# shader.spv from standard input. VK_ICD_FILENAMES=llvmpipe.json or swiftshader.json chooses one.
+vulkan_devices() {
+  needs gcc node
+  debian_packages mesa-vulkan-drivers=22.3.6-1* libvulkan-dev libvulkan1 glslang-tools
+  npm_packages @sparticuz/chromium@153.0.0
+  node -e 'process.stdout.write(zlib.brotliDecompressSync(fs.readFileSync(0)))' \
+    <node_modules/@sparticuz/chromium/bin/swiftshader.tar.br | tar x
+  local icd=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json
+  [ ! -e "root$icd" ] || sed "s|: \"/usr|: \"$folder/root/usr|" "root$icd" >llvmpipe.json
+  [ -e llvmpipe.json ] || cp "$icd" llvmpipe.json
+  sed 's|"[^"]*libvk_swiftshader.so"|"./libvk_swiftshader.so"|' vk_swiftshader_icd.json >swiftshader.json
+  gcc -O1 "$findings/compute.c" -o compute -lvulkan
+  cat >shader.comp
+  glslangValidator -V shader.comp -o shader.spv >glslang.log
 }
