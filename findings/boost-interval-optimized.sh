@@ -4,14 +4,14 @@
 # Guess: boost::numeric::interval<double> encloses the exact result whatever the level of
 # optimization; at worst a few results escape where the compiler moves an operation.
 #
-# Happens: with GCC 12 at -O2 all of 10^5 random quotients miss the exact value, at -O3, the level of
-# CMake's Release, all products, too: both bounds are one double. Without optimization, with
+# Happens: with GCC 12 at -O2 all of 10^5 random quotients miss the exact value, at -O3, the level
+# of CMake's Release, all products, too: both bounds are one double. Without optimization, with
 # -frounding-math, and with clang 14 all are enclosed.
 #
 # With: Boost 1.74, GCC 12.2, clang 14, Debian 12 (amd64)
 #
-# Sums are right, and which operations are not depends on the code around them: the tests of a Debug
-# build, or of another program, do not find it.
+# Sums are right, and which operations are not depends on the code around them: the tests of a
+# Debug build, or of another program, do not find it.
 source "$(dirname "$0")/common.sh"
 needs g++-12 clang++-14
 debian_packages libboost1.74-dev=1.74.0+ds1-21 libgmp-dev=2:6.2.1+dfsg1-1.1* cpp-12=12.2.0-14*

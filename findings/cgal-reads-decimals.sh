@@ -4,14 +4,14 @@
 # Guess: 0.1 read from a stream becomes the double 0.1 in a lazy kernel (its numbers start as
 # doubles), and 1/10 in CGAL::Exact_rational, the number type for exact input.
 #
-# Happens: a number of Exact_predicates_exact_constructions_kernel is exactly 1/10, as is CGAL::Gmpq;
-# Exact_rational, here Boost's mpq_rational, throws. It reads 1/10 only as a fraction.
+# Happens: a number of Exact_predicates_exact_constructions_kernel is exactly 1/10, as is
+# CGAL::Gmpq; Exact_rational, here Boost's mpq_rational, throws. It reads 1/10 only as a fraction.
 #
 # With: CGAL 5.5.1, Boost 1.74, Debian 12
 #
 # Code over any kernel that reads points from a file works for the kernels, and throws for the type
-# that they compute with. A scene of doubles must not be read into a kernel as decimals: each number
-# is another one.
+# that they compute with. A scene of doubles must not be read into a kernel as decimals: each
+# number is another one.
 source "$(dirname "$0")/common.sh"
 needs g++
 debian_packages libcgal-dev=5.5.1-2 libboost1.74-dev=1.74.0+ds1-21 libgmp-dev=2:6.2.1+dfsg1-1.1*

@@ -9,7 +9,7 @@ cd "$folder"
 # NAME...: programs that the machine must have.
 needs() {
   for program; do
-    command -v "$program" >/dev/null || { echo "could not install: $program is missing" && exit 77; }
+    command -v "$program" >/dev/null || { echo "could not install: no $program" && exit 77; }
   done
 }
 
@@ -34,8 +34,9 @@ debian_packages() {
   find root -xtype l -name '*.so' | while read -r link; do
     ln -sf "/$lib/$(readlink "$link")" "$link"  # the machine has the library itself
   done
-  export CPATH=$folder/root/usr/include LIBRARY_PATH=$folder/root/$lib PATH=$folder/root/usr/bin:$PATH
-  export LD_LIBRARY_PATH=$folder/root/$lib PYTHONPATH=$folder/root/usr/lib/python3/dist-packages
+  export CPATH=$folder/root/usr/include LIBRARY_PATH=$folder/root/$lib
+  export PATH=$folder/root/usr/bin:$PATH LD_LIBRARY_PATH=$folder/root/$lib
+  export PYTHONPATH=$folder/root/usr/lib/python3/dist-packages
 }
 
 # Compares the file seen with standard input.
@@ -55,7 +56,8 @@ vulkan_devices() {
   local icd=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json
   [ ! -e "root$icd" ] || sed "s|: \"/usr|: \"$folder/root/usr|" "root$icd" >llvmpipe.json
   [ -e llvmpipe.json ] || cp "$icd" llvmpipe.json
-  sed 's|"[^"]*libvk_swiftshader.so"|"./libvk_swiftshader.so"|' vk_swiftshader_icd.json >swiftshader.json
+  sed 's|"[^"]*libvk_swiftshader.so"|"./libvk_swiftshader.so"|' vk_swiftshader_icd.json \
+    >swiftshader.json
   gcc -O1 "$findings/compute.c" -o compute -lvulkan
   cat >shader.comp
   glslangValidator -V shader.comp -o shader.spv >glslang.log

@@ -1,6 +1,6 @@
-// Compiled by findings about Vulkan devices. Runs the compute shader "main" of shader.spv once, with
-// the numbers of the command line in its buffer 0, and prints the COUNT floats of its buffer 1.
-// compute COUNT NUMBER...
+// Compiled by findings about Vulkan devices. Runs the compute shader "main" of shader.spv once,
+// with the numbers of the command line in its buffer 0, and prints the COUNT floats of its
+// buffer 1. compute COUNT NUMBER...
 #include <stdio.h>
 #include <stdlib.h>
 #include <vulkan/vulkan.h>
@@ -8,7 +8,8 @@
 enum { kFloats = 1024 };
 
 int main(int arguments, char** argument) {
-  VkApplicationInfo application = {VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_1};
+  VkApplicationInfo application = {VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                   .apiVersion = VK_API_VERSION_1_1};
   VkInstanceCreateInfo instance_info = {VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                         .pApplicationInfo = &application};
   VkInstance instance;
@@ -60,7 +61,8 @@ int main(int arguments, char** argument) {
 
   static uint32_t code[65536];
   FILE* file = fopen("shader.spv", "rb");
-  VkShaderModuleCreateInfo module_info = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .pCode = code,
+  VkShaderModuleCreateInfo module_info = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                          .pCode = code,
                                           .codeSize = fread(code, 1, sizeof code, file)};
   VkShaderModule module;
   vkCreateShaderModule(device, &module_info, 0, &module);
@@ -77,14 +79,15 @@ int main(int arguments, char** argument) {
   vkCreatePipelineLayout(device, &layout_info, 0, &layout);
   VkComputePipelineCreateInfo pipeline_info = {
       VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-      .stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .pName = "main", .module = module,
-                .stage = VK_SHADER_STAGE_COMPUTE_BIT},
+      .stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .pName = "main",
+                .module = module, .stage = VK_SHADER_STAGE_COMPUTE_BIT},
       .layout = layout};
   VkPipeline pipeline;
   vkCreateComputePipelines(device, 0, 1, &pipeline_info, 0, &pipeline);
   VkDescriptorPoolSize pool_size = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
-  VkDescriptorPoolCreateInfo pool_info = {VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1,
-                                          .poolSizeCount = 1, .pPoolSizes = &pool_size};
+  VkDescriptorPoolCreateInfo pool_info = {VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                          .maxSets = 1, .poolSizeCount = 1,
+                                          .pPoolSizes = &pool_size};
   VkDescriptorPool pool;
   vkCreateDescriptorPool(device, &pool_info, 0, &pool);
   VkDescriptorSetAllocateInfo allocate_info = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
@@ -94,8 +97,11 @@ int main(int arguments, char** argument) {
   vkAllocateDescriptorSets(device, &allocate_info, &set);
   for (uint32_t i = 0; i < 2; ++i) {
     VkDescriptorBufferInfo whole = {buffers[i], 0, VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .dstSet = set, .dstBinding = i,
-                                  .descriptorCount = 1, .pBufferInfo = &whole,
+    VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                  .dstSet = set,
+                                  .dstBinding = i,
+                                  .descriptorCount = 1,
+                                  .pBufferInfo = &whole,
                                   .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
     vkUpdateDescriptorSets(device, 1, &write, 0, 0);
   }

@@ -3,12 +3,13 @@
 #
 # Guess: "%.17g" tells every double from all others, in any C library, and strtod() reads it back.
 #
-# Happens: with dietlibc 1% of the doubles from 0.001 to 1000 are printed as another double, and half
-# of all decimals with exponents up to 300 are read as another one; glibc has no error in either.
+# Happens: with dietlibc 1% of the doubles from 0.001 to 1000 are printed as another double, and
+# half of all decimals with exponents up to 300 are read as another one; glibc has no error in
+# either.
 #
 # With: dietlibc 0.34~cvs20160606, GCC 12.2, Debian 12 (amd64)
 #
-# Small static programs, as candidates in a container often are, are built with it.
+# What such a program writes with 17 digits, to a scene or a reply, is not what it computed.
 source "$(dirname "$0")/common.sh"
 needs gcc ld python3
 debian_packages dietlibc-dev=0.34~cvs20160606-14

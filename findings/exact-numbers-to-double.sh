@@ -10,8 +10,8 @@
 #
 # With: gmpy2 2.1.2, GMP 6.2.1, Boost 1.74 and 1.81, Debian 12
 #
-# GMP's mpz_get_d() and mpq_get_d() truncate, as documented; what calls them does not say so. An
-# expected value made by such a conversion is wrong half of the time.
+# The cause is GMP's mpz_get_d() and mpq_get_d(), whose manual says that they truncate. An expected
+# value made by such a conversion is wrong half of the time.
 source "$(dirname "$0")/common.sh"
 needs g++ python3
 debian_packages libboost1.74-dev=1.74.0+ds1-21 libgmp-dev=2:6.2.1+dfsg1-1.1* libmpfr-dev=4.2.0-1 \

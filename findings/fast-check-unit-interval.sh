@@ -9,8 +9,8 @@
 #
 # With: fast-check 4.11.0, Node.js 20
 #
-# Spheres with such coordinates and radii lie in one point to any ray: a law about hits compares
-# misses. Map integers instead: fc.integer({max: 1 << 20}).map((n) => n / (1 << 20)).
+# Of coordinates drawn so, all but the largest are nearly always 0 beside it. Map integers instead:
+# fc.integer({max: 1 << 20}).map((n) => n / (1 << 20)).
 source "$(dirname "$0")/common.sh"
 needs node
 npm_packages fast-check@4.11.0

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # GLM's random numbers leave out the top 1/256 of every range.
 #
-# Guess: glm::linearRand(0.f, 1.f) is uniform: of 10^8 draws about 390625 are above 255/256, and the
-# points of glm::sphericalRand(1.f) have their centre at 0.
+# Guess: glm::linearRand(0.f, 1.f) is uniform: of 10^8 draws about 390625 are above 255/256, and
+# the points of glm::sphericalRand(1.f) have their centre at 0.
 #
-# Happens: none of 10^8 draws is above 0.99608. Each byte of the random integer is std::rand() % 255,
-# so never 255: every range has gaps at all scales. No point of sphericalRand has a z above 0.99216,
-# and their mean z is -0.004.
+# Happens: not one of 10^8 draws is above 0.99608. Each byte of the random integer is std::rand() %
+# 255, so never 255: every range has gaps at all scales. No point of sphericalRand has a z above
+# 0.99216, and their mean z is -0.004.
 #
 # With: GLM 0.9.9.8, glibc 2.36, Debian 12
 #

@@ -4,8 +4,8 @@
 # Guess: DataUtils.toHalfFloat() and ToHalfFloat() give the nearest half float, as
 # @petamoriken/float16, JavaScript's Float16Array and the processor's instruction do.
 #
-# Happens: both always round toward zero: half of all floats get the wrong neighbour, and the mean of
-# a picture falls by half an ulp, 0.036%.
+# Happens: both always round toward zero: half of all floats get the wrong neighbour, and the mean
+# of a picture falls by half an ulp, 0.036%.
 #
 # With: three 0.187.0, @babylonjs/core 9.35.0, @petamoriken/float16 3.9.3, Node.js 20
 #

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # An interval library whose sinh, cosh and tanh do not enclose.
 #
-# Guess: the bounds of interval-arithmetic enclose the exact value for all of its functions: it moves
-# each result of Math.* outward by an ulp.
+# Guess: the bounds of interval-arithmetic enclose the exact value for all of its functions: it
+# moves each result of Math.* outward by an ulp.
 #
 # Happens: sinh, cosh and tanh miss the exact value for about 1 in 150 points, since V8's are wrong
 # by more than an ulp; sqrt, exp, log, sin, cos and atan enclose it.

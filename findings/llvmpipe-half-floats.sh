@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # llvmpipe has two conversions to half floats: a picture's truncates, the shader's function rounds.
 #
-# Guess: a value written to a picture of half floats (GL_RGBA16F) becomes the nearest half float, the
-# one that packHalf2x16() gives in the same shader; what is too large becomes infinity.
+# Guess: a value written to a picture of half floats (GL_RGBA16F) becomes the nearest half float,
+# the one that packHalf2x16() gives in the same shader; what is too large becomes infinity.
 #
 # Happens: packHalf2x16() rounds to nearest. The picture rounds toward zero, always: half of all
 # values get the wrong neighbour, and 100000 becomes 65504. Only infinity stays infinite.
@@ -38,7 +38,7 @@ static void compile(GLuint program, GLenum stage, const char* text) {
   glAttachShader(program, shader);
 }
 
-// Draws all pixels into a picture of this format: `statement` sets the colour `o` from the inputs `p`.
+// Draws all pixels into a picture of this format: `statement` sets the colour `o` from inputs `p`.
 static void draw(const char* statement, GLenum format) {
   char fragment[1000];
   snprintf(fragment, sizeof fragment,
@@ -84,7 +84,12 @@ int main(void) {
   eglBindAPI(EGL_OPENGL_API);
   eglChooseConfig(display, any, &config, 1, &count);
   eglMakeCurrent(display, 0, 0, eglCreateContext(display, config, 0, version));
-  printf("%.8s\n", (const char*)glGetString(GL_RENDERER));
+  const char* renderer = (const char*)glGetString(GL_RENDERER);
+  if (!renderer) {
+    puts("could not install: Mesa gives no context");
+    return 77;
+  }
+  printf("%.8s\n", renderer);
 
   srand(2);
   for (int i = 0; i < 4 * kPixels; ++i) inputs[i] = 1 + 99 * (rand() / 2147483648.0);

@@ -14,10 +14,11 @@
 # With: wasm-vips 0.0.19 (libvips 8.18.7), @imagemagick/magick-wasm 0.0.43 (ImageMagick 7.1.2-30),
 # Node.js 20
 #
-# The picture is valid: 2 x 3 pixels, the top row is 0.1 0.2. On Debian 12, by hand: FFmpeg 5.1.9 and libvips 8.14.1 have the bottom row on top, too; pfmtopam
-# (netpbm 11.1) and FFmpeg divide by the scale, OpenImageIO 2.4.7 and pfstools 2.2 multiply, G'MIC
-# 2.9.4 ignores it; and pfmtopam refuses what libvips writes, for its comment in the header.
-# Before two programs are compared by PFM, a picture that is not symmetric is tried.
+# The picture is valid: 2 x 3 pixels, the top row is 0.1 0.2. On Debian 12, by hand: FFmpeg 5.1.9
+# and libvips 8.14.1 have the bottom row on top, too; pfmtopam (netpbm 11.1) and FFmpeg divide by
+# the scale, OpenImageIO 2.4.7 and pfstools 2.2 multiply, G'MIC 2.9.4 ignores it; and pfmtopam
+# refuses what libvips writes, for its comment in the header. Before two programs are compared by
+# PFM, a picture that is not symmetric is tried.
 source "$(dirname "$0")/common.sh"
 needs node
 npm_packages wasm-vips@0.0.19 @imagemagick/magick-wasm@0.0.43

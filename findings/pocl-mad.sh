@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # OpenCL on the CPU: mad(x, y, z) is not fused, but x * y + z is.
 #
-# Guess: PoCL, on a processor with FMA instructions, fuses mad(), which OpenCL has for that, or leaves
-# both mad() and plain expressions as two roundings.
+# Guess: PoCL, on a processor with FMA instructions, fuses mad(), which OpenCL has for that, or
+# leaves both mad() and plain expressions as two roundings.
 #
 # Happens: it fuses the plain expression, so that is as exact as fma(), and computes mad() with two
-# roundings: the function that a programmer takes for speed is the slower and less exact one.
+# roundings.
 #
 # With: PoCL 3.1, Debian 12, a processor with FMA
 #
@@ -28,14 +28,18 @@ cat >kernels.c <<'C'
 enum { kCases = 65536 };
 static float x[kCases], y[kCases], answers[kCases];
 
-static void run(cl_context context, cl_device_id device, const char* before, const char* expression) {
+static void run(cl_context context, cl_device_id device, const char* before,
+                const char* expression) {
   char text[1000];
   const char* source = text;
   snprintf(text, sizeof text,
            "%s kernel void run(global const float* a, global const float* b, global float* c) {"
            "size_t i = get_global_id(0); float x = a[i], y = b[i]; c[i] = %s; }", before, expression);
   const cl_program program = clCreateProgramWithSource(context, 1, &source, 0, 0);
-  if (clBuildProgram(program, 1, &device, "", 0, 0) != CL_SUCCESS) exit(2);
+  if (clBuildProgram(program, 1, &device, "", 0, 0) != CL_SUCCESS) {
+    puts("could not install: PoCL cannot compile");
+    exit(77);
+  }
   const cl_kernel kernel = clCreateKernel(program, "run", 0);
   cl_mem buffers[3];
   float* hosts[3] = {x, y, answers};
