@@ -161,7 +161,7 @@ TEST(InternalErrors, InLawsAreNotBlamedOnTheCandidate) {
         "hit-point", "focal-and-pixel", "axes", "look-at", "up"}) {
     SCOPED_TRACE(law);
     const Outcome outcome =
-        run_throwing("properties --rays lecture --intersect lecture --cases 60 --filter " + law);
+        run_throwing("properties --rays lecture --intersect lecture --cases 150 --filter " + law);
     expect_internal(outcome);
     expect_parts(outcome.err, {"internal error: law " + law + ": injected",
                                "properties' '--rays' 'lecture'", "# internal error"});

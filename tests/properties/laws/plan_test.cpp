@@ -105,7 +105,8 @@ TEST_P(EachSource, KeepsTheLawsOfThePlan) {
   EXPECT_GE(compared["visible-sphere"], 4 * seen);
   const std::uint64_t of_plans =
       compared["plan-left-out"] + compared["plan-rectangles"] + compared["plan-roots"];
-  EXPECT_GE(of_plans, 10 * seen);
+  // From an eye on the sphere, little can be left out.
+  EXPECT_GE(of_plans, (source().name == "from-surface" ? 2 : 10) * seen);
   if (source().has_camera) {
     EXPECT_GE(compared["plan-rectangles"], 10 * seen);
     EXPECT_GE(compared["plan-roots"], 2 * seen);

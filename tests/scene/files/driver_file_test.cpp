@@ -309,8 +309,8 @@ TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
                             [](const SpherePlan& sphere) { return !sphere.pixels.empty(); }));
     ++images;
   }
-  EXPECT_EQ(scenes, 25u);
-  EXPECT_EQ(images, 22u);
+  EXPECT_EQ(scenes, 30u);
+  EXPECT_EQ(images, 24u);
 }
 
 }  // namespace
