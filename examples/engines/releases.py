@@ -2,7 +2,7 @@
 
     releases.py RAYCHECK BUILD [--newer FOLDER] [--write DOCS] [--cases N] [NAME ...]
 
-Judges the older `releases` (engines.toml) of npm's packages, each installed in a folder of its own, and compares them with
+Judges the older `releases` (engines.toml) of npm's packages, each installed in a new folder, and compares them with
 each other and with docs/field.md, which is of Debian 12. FOLDER is a copy of docs that `./run field --write` wrote on
 Debian 13; it is compared with docs. `changed` in engines.toml contains the reasons, by the first release with the change.
 Prints the table of changes; with --write it makes DOCS/field-releases.md.

@@ -1,5 +1,5 @@
 // ClayGL (npm claygl), Ray.intersectSphere: "Calculate intersection point between ray and sphere".
-// Vectors have doubles (GLMAT_ARRAY_TYPE of its own gl-matrix is Array). Silent about unit
+// Vectors have doubles (GLMAT_ARRAY_TYPE of its gl-matrix is Array). Silent about unit
 // directions, which the code needs, tangents and origins inside, for which the code returns the
 // point where the ray leaves. Source: src/math/Ray.js, src/glmatrix/common.js.
 import { run } from "./raycheck_candidate.mjs";
