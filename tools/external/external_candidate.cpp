@@ -176,8 +176,10 @@ class Conversation {
     fill(request);
     if (shares_timed_out_ >= kMostTimeouts) {
       AnswerFailure{
-          fmt::format("{}: not called any more, since its time-outs add up to {} times the limit",
-                      function, kMostTimeouts),
+          fmt::format(
+              "{}: not called any more, since its time-outs add up to {} times the limit; the "
+              "last: {}",
+              function, kMostTimeouts, failure_.words),
           FailureKind::kNotAsked}
           .raise(last_);
     }

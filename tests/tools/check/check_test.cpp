@@ -30,7 +30,7 @@ TEST(Check, scenes_of_the_fields_own_tests_show_slips) {
   const auto wrong = [](const std::string& scene, const std::string& counts) {
     const json report =
         judged("scene/examples/" + scene + ".toml",
-               tracer(scene + ".py", counts, "(s, point)", "(roots='as-asked', tangent='hit')"));
+               tracer(scene + ".py", counts, "(s, point)", "roots='as-asked', tangent='hit'"));
     EXPECT_GT(quantity_of(report.at("quantities"), "class").at("cases"), 0) << scene;
     const json standing = report.at("discrepancies_by_standing");
     return standing.at(scene == "points" ? "excused" : "defect").get<int>();
