@@ -28,9 +28,10 @@ TEST(Check, runs_on_every_example_scene) {
 TEST(Check, scenes_of_the_fields_own_tests_show_slips) {
   const std::string right = "roots.t_min <= s < roots.t_max";
   const auto wrong = [](const std::string& scene, const std::string& counts) {
+    const std::string candidate =
+        tracer(scene + ".py", counts, "(s, point)", "roots='as-asked', tangent='hit'");
     const json report =
-        judged("scene/examples/" + scene + ".toml",
-               tracer(scene + ".py", counts, "(s, point)", "roots='as-asked', tangent='hit'"));
+        json::parse(check("scene/examples/" + scene + ".toml", candidate).out)["candidates"][0];
     EXPECT_GT(quantity_of(report.at("quantities"), "class").at("cases"), 0) << scene;
     const json standing = report.at("discrepancies_by_standing");
     return standing.at(scene == "points" ? "excused" : "defect").get<int>();
