@@ -288,7 +288,7 @@ class Page:
 
     def row(self):
         error = self.error
-        errors = f"{error['median']:.2g} / {error['max']:.3g} {error['unit']}" if error else "-"
+        errors = f"{float(error['median']):.2g} / {float(error['max']):.3g} {error['unit']}" if error else "-"
         ratio = f"{self.ratio:.2g}" if self.ratio else "-"
         return ([f"[{self.engine['library']}](field/{self.title}.md)", f"`{self.engine['function']}`"]
                 + [self.cell(level) for level in LEVELS] + [self.frontier_text(source) for source in FRONTIERS]

@@ -1,7 +1,8 @@
 // QMath3d's (Qt3D 1) QSphere3D::intersection(QRay3D), in floats: the parameter t >= 0 of the
 // nearest hit, or NaN. With the macro BOTH, intersection(ray, &minimum_t, &maximum_t): both
-// parameters, also negative ones, equal for a tangent. Debian: libqmath3d-dev; -lQMath3d. Source:
-// the comments of qsphere3d.cpp, and of qray3d.cpp: directions of any length.
+// parameters, also negative ones, equal for a tangent; the adapter takes the first >= 0. Debian:
+// libqmath3d-dev; -lQMath3d. Source: the comments of qsphere3d.cpp, and of qray3d.cpp: directions
+// of any length.
 
 #include <qray3d.h>
 #include <qsphere3d.h>
@@ -18,8 +19,8 @@ static std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
   const QSphere3D ball(to<QVector3D, float>(sphere.centre), static_cast<float>(sphere.radius));
 #ifdef BOTH
   float first = 0, last = 0;
-  if (!ball.intersection(line, &first, &last)) return std::nullopt;
-  return raycheck::Hit{first, {last, 0, 0}};
+  if (!ball.intersection(line, &first, &last) || last < 0) return std::nullopt;
+  return raycheck::Hit{first >= 0 ? first : last, {}};
 #else
   const float t = ball.intersection(line);
   if (std::isnan(t)) return std::nullopt;
@@ -27,12 +28,7 @@ static std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
 #endif
 }
 
-#ifdef BOTH
-constexpr auto kReturns = raycheck::Returns::roots;
-#else
-constexpr auto kReturns = raycheck::Returns::parameter;
-#endif
 RAYCHECK_CANDIDATE(.root = raycheck::Root::nearest, .tangent = raycheck::Tangent::hit,
                    .intersect = intersect, .level = raycheck::Level::ordinary,
                    .smallest_length = kSmallest, .largest_length = kLargest,
-                   .precision = kPrecision, .returns = kReturns)
+                   .precision = kPrecision, .returns = raycheck::Returns::parameter)
