@@ -25,10 +25,13 @@ DOCS = field.HERE.parent.parent / "docs"
 COMPARED = HEAD[2:11]  # the levels and the frontiers
 INTRODUCTION = """# The field, between releases
 
-What changed in the verdicts of [the field](field.md) between releases: older releases of npm's packages, and the packages of
-Debian 12 and Debian 13. *after* is the first release judged that has the change, *before* the last one judged that has not;
+What changed in the verdicts of [the field](field.md) between releases: older releases of npm's packages and, with
+`--newer`, the packages of Debian 12 and Debian 13. *after* is the first release judged that has the change, *before* the last one judged that has not;
 npm releases between these two, if any, were not judged. `./run field --releases` writes this page; the reasons were read in
 both releases' sources and are in [engines.toml](../examples/engines/engines.toml).
+"""
+WITHOUT_NEWER = """
+This page has npm's packages alone: `--newer FOLDER` adds those of Debian 13.
 """
 
 
@@ -74,8 +77,8 @@ def main():
     parser.add_argument("--cases", type=int, default=500)
     parser.add_argument("names", nargs="*")
     options = parser.parse_intermixed_args()
-    if options.write and (options.names or not options.newer):
-        parser.error("--write writes the whole page: it needs --newer FOLDER, and no names of engines")
+    if options.write and options.names:
+        parser.error("--write writes the whole page: leave out the names of engines")
     raycheck = field.Raycheck(options.raycheck, options.cases)
     engines = tomllib.loads((field.HERE / "engines.toml").read_text())["engine"]
     engines = [engine for engine in engines if not options.names or engine["name"] in options.names]
@@ -108,7 +111,7 @@ def main():
                       "", "## The same in every release judged", "", *same]) + "\n"
     print(text)
     if options.write:
-        (options.write / "field-releases.md").write_text(INTRODUCTION + "\n" + text)
+        (options.write / "field-releases.md").write_text(INTRODUCTION + ("" if options.newer else WITHOUT_NEWER) + "\n" + text)
 
 
 if __name__ == "__main__":
