@@ -287,7 +287,7 @@ std::span<const KnownReport> known_reports() {
        .mutant = "divided-by-zero",
        .hit = divided_by_zero,
        .needed =
-           "ordinary cases with the origin at an exact tangent point: `--strict` breaks `axes`",
+           "a verdict on exact tangents, where every answer is excused: `--strict` breaks `axes`",
        .is_found = false},
       {"POV-Ray/povray#469",
        "nothing is found beyond 10^7 units",
