@@ -31,7 +31,7 @@ npm releases between these two, if any, were not judged. `./run field --releases
 both releases' sources and are in [engines.toml](../examples/engines/engines.toml).
 """
 WITHOUT_NEWER = """
-This page has npm's packages alone: `--newer FOLDER` adds those of Debian 13.
+This page has only npm's packages: `--newer FOLDER` adds those of Debian 13.
 """
 
 
