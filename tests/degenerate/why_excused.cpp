@@ -47,6 +47,11 @@ std::span<const WhyExcused> why_excused() {
        {},
        "the exact s is 0, where a relative error has no size and the condition number is infinite; "
        "`backward-error` and `hit-point` catch a wrong one"},
+      {{"from-surface", 0, 0},
+       {"scaling"},
+       {},
+       "every ray starts exactly on the surface: 16 u turn its hits at s = 0 into misses, and its "
+       "misses into hits"},
       {{"distance", 14, 15},
        kDecisions,
        {},
