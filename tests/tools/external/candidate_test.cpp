@@ -358,6 +358,22 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"short", "its reply begins with 'reply'", ""}, Hostile{"nothing", "class", ""}),
     [](const auto& the_test) { return std::string(the_test.param.how); });
 
+/// Its first time-out takes ten limits, so that no further question is asked.
+TEST(Candidate, that_mostly_waits_is_waited_for_once) {
+  const std::string waits = temporary_file("waits.py", R"(import time
+import raycheck_candidate as rc
+def intersect(ray, sphere, conventions):
+  while True:
+    time.sleep(0.1)
+    began = time.process_time()
+    while time.process_time() < began + 0.004: pass
+rc.run("waits", intersect=intersect)
+)");
+  const json report = judged(kRays, "command:python3 " + waits, "--timeout 0.5");
+  EXPECT_EQ(report["failures"]["found"], 0) << report["failures"];
+  expect_parts(report["worst"].dump(), {"not called any more", "the last: ", " s of waiting"});
+}
+
 TEST(Candidate, cannot_judge_itself_from_its_library_or_affect_others) {
   // It prints a full score and right answers before any request.
   const std::string boasts =

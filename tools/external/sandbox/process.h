@@ -64,7 +64,7 @@ class Process {
                        std::size_t most_bytes);
   /// The incomplete answer of a failed exchange.
   const std::string& unfinished() const { return answer_; }
-  /// The waiting time of the last exchange over its time limit, but at least 1.
+  /// The waiting time of the last exchange over its time limit (Watch::limits_waited).
   double limits_waited() const { return watch_->limits_waited(); }
   /// Sets the limit of CPU time, in seconds, for each later exchange.
   void allow(double seconds) { confined_.limits.seconds = seconds; }

@@ -86,7 +86,7 @@ void Watch::restart() {
     next_ = now + interval_;
   }
   before_ = until_ran_ = computed_;
-  waited_ = 0;
+  waited_ = slept_ = 0;
   looked_ = ran_ = now;
   is_up_ = false;
 }
@@ -103,7 +103,7 @@ double Watch::taken() const {
 double Watch::waited() const { return waited_ + duration<double>(Clock::now() - looked_).count(); }
 
 double Watch::limits_waited() const {
-  return std::max(1.0, waited() / std::max(limits_.seconds, kLeastBackstop));
+  return std::max(1.0, slept_ / std::max(limits_.seconds, kLeastBackstop));
 }
 
 milliseconds Watch::until_next() const {
@@ -163,7 +163,9 @@ std::optional<Stop> Watch::time_up(const char* doing, const std::vector<ProcessS
     ran_ = now;
     until_ran_ = computed_;
   }
-  waited_ = wants_to_run ? waited_ + duration<double>(now - looked_).count() / kBackstop : waited();
+  const double since = duration<double>(now - looked_).count();
+  waited_ += wants_to_run ? since / kBackstop : since;
+  slept_ += wants_to_run ? 0 : since;
   looked_ = now;
   if (duration<double>(now - ran_).count() >= idle) {
     return Stop{kind, fmt::format("{}, and used almost no CPU time for {} s{}", doing, idle, name)};

@@ -58,7 +58,8 @@ class Watch {
   /// The time charged since the last restart, in seconds: the CPU time at the last check, but at
   /// least 1/kBackstop of the waiting time. If it was stopped because of its time, the full limit.
   double taken() const;
-  /// The waiting time since the last restart over the time limit, but at least 1.
+  /// The time since the last restart in which no process could run, over the time limit, but at
+  /// least 1: waiting for a busy machine does not count.
   double limits_waited() const;
   /// The longest wait until the next check.
   std::chrono::milliseconds until_next() const;
@@ -83,6 +84,7 @@ class Watch {
   double before_ = 0;     ///< CPU seconds at the last restart.
   double until_ran_ = 0;  ///< CPU seconds when it last ran.
   double waited_ = 0;     ///< In seconds, from the last restart to the last check.
+  double slept_ = 0;      ///< The part of it in which no process could run.
   bool is_up_ = false;
   DiskUse files_;  ///< The disk use at its last check.
 };
