@@ -4,7 +4,8 @@
 
 prints a table. With --write it makes DOCS/field.md and DOCS/field/NAME.md from the same run: the kinds of answers that are
 wrong for each engine, the severity up to which they are right, and the smallest cases, each with its exact answer and a
-reproduction without raycheck, which is run; with names, the pages and rows of other engines stay as they are. Engines whose
+reproduction without raycheck, which is run; with names, the pages and rows of other engines stay as they are, and so do
+those of an engine that fails. Engines whose
 package is missing are listed and skipped. BUILD contains examples/engines (libraries) and field/npm (node).
 """
 import argparse
@@ -455,8 +456,8 @@ def main():
     shown = sum(bool(case.get("reproduction")) for page in pages for case in page.cases.values())
     print(f"reproductions that were run and print the answers of their engines: {shown}", file=sys.stderr)
     print(table(line(page.row()) for page in sorted(pages, key=lambda page: kind_of(page.engine))))
-    if options.write and not failed:
-        write(pages, engines, options.write, bool(options.names))
+    if options.write:
+        write(pages, engines, options.write, bool(options.names or failed))
     sys.exit("\n".join(f"field: {reason}" for reason in failed) if failed else 0)
 
 

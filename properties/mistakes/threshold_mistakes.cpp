@@ -20,6 +20,12 @@ using fast::Roots;
 /// The sizes of a group, beginning with the one that drops the fewest answers.
 constexpr std::array<const char*, 11> kSizes = {"1e-10", "1e-9",  "1e-8", "1e-7", "1e-6", "1e-5",
                                                 "1e-4",  "0.001", "0.01", "0.1",  "1"};
+/// Of d^2, c and discriminants, which code compares with squares of epsilons, too.
+constexpr std::array<const char*, 14> kSquaredSizes = {"1e-16", "1e-14", "1e-12", "1e-10", "1e-9",
+                                                       "1e-8",  "1e-7",  "1e-6",  "1e-5",  "1e-4",
+                                                       "0.001", "0.01",  "0.1",   "1"};
+/// Of quotients that count as too large.
+constexpr std::array<const char*, 6> kQuotients = {"1e16", "1e14", "1e12", "1e10", "1e8", "1e6"};
 constexpr std::array<const char*, 8> kLargeSizes = {"1e9", "1e8", "1e7",  "1e6",
                                                     "1e5", "1e4", "1000", "100"};
 
@@ -56,6 +62,16 @@ Roots both_at(double distance, double size) {
   return {distance, 1, distance / size, distance / size};
 }
 
+/// The root -c / b twice where c / a, the product of the roots, is above `most`, times `unit`.
+Roots linear_roots(double most, double unit, const Ray& ray, const Roots& roots) {
+  const double size = norm(ray.direction);
+  const double v = roots.axial_distance, d_sq = roots.half_chord_sq;
+  const double product =
+      d_sq >= 0 ? roots.smaller * roots.larger : (v * v - d_sq) / (size * size);
+  if (!(product > most * unit)) return roots;
+  return v == 0 ? Roots{0, -1, 0, 0} : both_at(product * size * size / (2 * v), size);
+}
+
 /// A hit by ray marching in steps as long as the distance to the sphere: both roots are where that
 /// distance is below `least`.
 Roots marched_roots(double least, const Ray& ray, const Sphere& sphere) {
@@ -88,8 +104,35 @@ const ThresholdGroup kGroups[] = {
        const bool takes_far = c.root != scene::Root::kSmaller && roots.larger >= least;
        return takes_far ? Hit(hit_at(ray, roots.larger)) : Hit();
      }},
+    {"where |c| is below about ",
+     " (the limit may be larger) the origin counts as on the sphere, and only the other root "
+     "counts: the epsilon is too large",
+     "roots of the surface", kSquaredSizes,
+     [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
+       const double size = norm(ray.direction), low = roots.smaller, high = roots.larger;
+       if (!meets(roots, c) || std::abs(low * high) * size * size >= least)
+         return usual_choice(ray, roots, c);
+       const double other = std::abs(low) < std::abs(high) ? high : low;
+       return usual_choice(ray, both_at(other * size, size), c);
+     },
+     nullptr, false},
+    {"where c / a is above about ",
+     " (the limit may be smaller) a counts as 0: the linear equation bs + c = 0 is solved",
+     "linear equations", kQuotients, nullptr,
+     [](double most, const Ray& ray, const Sphere& sphere) {
+       return linear_roots(most, 1, ray, fast::kCross.roots(ray, sphere));
+     },
+     false},
+    {"where c / a is above about ",
+     " r^2 (the limit may be smaller) a counts as 0: the linear equation bs + c = 0 is solved",
+     "linear equations by radii", kQuotients, nullptr,
+     [](double most, const Ray& ray, const Sphere& sphere) {
+       const double r = sphere.radius;
+       return linear_roots(most, r * r, ray, fast::kCross.roots(ray, sphere));
+     },
+     false},
     {"a d^2 below about ", " (the limit may be larger) counts as a miss: the epsilon is too large",
-     "dropped chords", kSizes,
+     "dropped chords", kSquaredSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        return roots.half_chord_sq >= least ? usual_choice(ray, roots, c) : Hit();
      }},
@@ -111,7 +154,7 @@ const ThresholdGroup kGroups[] = {
      nullptr, false},
     {"where b^2 - 4ac is within about ",
      " (the limit may be larger) of 0, -b/2a is taken for both roots: the epsilon is too large",
-     "merged discriminants", kSizes,
+     "merged discriminants", kSquaredSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double size = norm(ray.direction);
        const bool is_merged = std::abs(4 * size * size * roots.half_chord_sq) <= least;
@@ -122,7 +165,7 @@ const ThresholdGroup kGroups[] = {
      kSizes, nullptr, marched_roots, false},
     {"a d^2 below about ",
      " (the limit may be larger) is replaced by that: the epsilon is too large", "least chords",
-     kSizes,
+     kSquaredSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
        const double v = roots.axial_distance, d = std::sqrt(least), size = norm(ray.direction);

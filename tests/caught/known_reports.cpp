@@ -175,11 +175,11 @@ Hit small_c_is_surface(const Ray& ray, const Sphere& sphere, const Conventions& 
              : Hit();
 }
 
-/// From exactly the surface, the middle of the chord in place of its end.
+/// From exactly the surface, the chord begins at 0 and ends in its middle.
 Hit half_a_chord(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
   const Vector3 T = sphere.centre - ray.origin;
   const Hit hit = right(ray, sphere, conventions);
-  if (!hit || dot(T, T) != sphere.radius * sphere.radius) return hit;
+  if (!hit || hit->parameter == 0 || dot(T, T) != sphere.radius * sphere.radius) return hit;
   return hit_at(ray, dot(T, ray.direction) / dot(ray.direction, ray.direction));
 }
 
@@ -338,13 +338,14 @@ std::span<const KnownReport> known_reports() {
            "where |c| is below 1e-12 the origin counts as on the surface, also of small spheres",
        .mutant = "small-c-is-surface",
        .hit = small_c_is_surface,
-       .needed =
-           "a threshold on |c| among the mistakes; a candidate may declare it, as tolerance_c"},
+       .sentences = {"where |c| is below about 1e-12 (the limit may be larger) the origin counts as "
+                     "on the sphere, and only the other root counts: the epsilon is too large"}},
       {.thread = "CesiumGS/cesium, IntersectionTests.rayEllipsoid in its source",
        .said = "from exactly the surface, the end is half of the chord",
        .mutant = "half-a-chord",
        .hit = half_a_chord,
-       .needed = "a mistake where c is exactly 0"},
+       .sentences = {"from a point on the sphere s is half of the right one"},
+       .valid = {.ends = scene::Ends::kOpenMin}},
       {.thread = "armory3d/armory#2574",
        .said = "r * r overflows in integers",
        .mutant = "square-overflows",

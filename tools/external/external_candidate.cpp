@@ -312,13 +312,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   candidate.image_threshold = external.renderer->threshold;
   candidate.any_sample = external.renderer->any_sample;
   candidate.interface = external.introduction.declared.interface;
-  if (const scene::FileFormat* const format = external.renderer->driver.format;
-      format->is_of_programs) {
-    candidate.declared.rows = format->rows;
-    candidate.declared.samples = format->samples;
-    candidate.declared.origin = format->origin;
-  }
-  if (external.renderer->origin) candidate.declared.origin = external.renderer->origin;
+  candidate.declared = external.introduction.declared.conventions;
   candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
                                                          const scene::Conventions& conventions) {
     return properties::asked_by_us([&] { return pictures->of(scene, conventions, last).spheres; });
@@ -385,13 +379,33 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
-/// What the format of its scene files implies.
+/// What its options and the format of its scene files imply; the scene says the rest.
 Introduction introduction_of(const Renderer& renderer) {
   Introduction introduction;
-  if (const scene::FileFormat* const format = renderer.driver.format; format->has_angle()) {
+  contract::DeclaredConventions& conventions = introduction.declared.conventions = {};
+  const scene::FileFormat& format = *renderer.driver.format;
+  if (format.is_of_programs) {
+    conventions.rows = format.rows;
+    conventions.samples = format.samples;
+    conventions.origin = format.origin;
+  }
+  if (renderer.origin) conventions.origin = renderer.origin;
+  if (format.has_angle()) {
     introduction.declared.interface.windows = contract::Windows::kSquarePixels;
   }
   return introduction;
+}
+
+/// Requires that two declarations differ only in what pictures show.
+void require_shown(contract::Declarations before, const contract::Declarations& declared) {
+  const auto rows = std::exchange(before.conventions, declared.conventions).rows;
+  before.conventions.rows = rows;  // the first row of a picture is always its top
+  before.interface.windows = declared.interface.windows;
+  if (contract::statements(before) != contract::statements(declared)) {
+    throw std::invalid_argument(
+        "of a renderer, which has no functions, only windows and conventions of pictures can be "
+        "declared: samples, origin, root, tangent, roots, and the parts of roots");
+  }
 }
 
 }  // namespace
@@ -434,19 +448,18 @@ External introduced(std::string name, const Confined& program,
 
 void declare_over(std::string_view statements, External& external) {
   if (statements.empty()) return;
-  if (external.renderer) {
-    throw std::invalid_argument("a renderer has no functions about which this could be declared");
-  }
-  contract::Declarations& declared = external.introduction.declared;
-  const contract::Returns returns = declared.interface.returns;
+  contract::Declarations declared = external.introduction.declared;
   contract::declare_all(statements, declared);
-  if (declared.interface.returns != returns) {
+  if (external.renderer) {
+    require_shown(external.introduction.declared, declared);
+  } else if (declared.interface.returns != external.introduction.declared.interface.returns) {
     throw std::invalid_argument("what functions return must be declared in their code");
   }
   if (const auto wrong = contract::defects(declared); !wrong.empty()) {
     throw std::invalid_argument(scene::sentences(wrong));
   }
-  external.precision = declared.precision;
+  if (!external.renderer) external.precision = declared.precision;
+  external.introduction.declared = declared;
   external.declares = statements;
 }
 
@@ -465,6 +478,7 @@ External reading(const External& renderer, const DriverForm& driver) {
   external.renderer->driver = driver;
   external.introduction = introduction_of(*external.renderer);
   external.pictures = std::make_shared<Pictures>(*external.renderer);
+  declare_over(renderer.declares, external);
   return external;
 }
 

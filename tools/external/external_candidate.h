@@ -56,8 +56,8 @@ External introduced(std::string name, const Confined& program,
                     std::shared_ptr<AnswerStore> answers);
 
 /// Declares more of the candidate than its code does, or in place of it: "from_inside start".
-/// Errors: std::invalid_argument naming the statement; a renderer declares nothing, and what
-/// functions return is declared in their code.
+/// Errors: std::invalid_argument naming the statement; of a renderer only conventions and windows
+/// are declared, and what functions return is declared in their code.
 void declare_over(std::string_view statements, External& external);
 
 External rendering(std::string name, Renderer renderer);

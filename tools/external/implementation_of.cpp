@@ -83,7 +83,7 @@ Implementation implementation_of(const External& external) {
   }
   if (external.renderer) {
     implementation.bounds_of.clear();
-    implementation.arguments = arguments_of(*external.renderer, external.precision);
+    implementation.arguments += arguments_of(*external.renderer, external.precision);
     implementation.reading = [external](const std::string& form) {
       return implementation_of(reading(external, driver_rule(form).form));
     };

@@ -10,7 +10,8 @@ def intersect(ray, sphere, _):
     (origin, d), (centre, r) = (tuple(map(numpy.array, ray)), sphere)
     f = origin - numpy.array(centre)
     s = numpy.roots([d @ d, 2 * (f @ d), f @ f - r * r])
-    return (min(s.real), max(s.real)) if len(s) and not s.imag.any() else None
+    ahead = [] if s.imag.any() else s.real[s.real >= 0]
+    return min(ahead, default=None)
 
 
-rc.run("numpy", returns="roots", root="nearest", tangent="either", level="ordinary", intersect=intersect)
+rc.run("numpy", returns="parameter", root="nearest", tangent="either", level="ordinary", intersect=intersect)

@@ -25,7 +25,7 @@ std::vector<Case> cases_of(std::initializer_list<const char*> sources, std::uint
   return cases;
 }
 
-/// Cases with lengths of each size in the groups of mistakes.
+/// Cases with lengths and distances of each size in the groups of mistakes.
 const std::vector<Case>& fixed_cases() {
   static const std::vector<Case> kCases = [] {
     std::vector<Case> cases =
@@ -35,6 +35,7 @@ const std::vector<Case>& fixed_cases() {
       for (const char* name : {"scale", "camera-scale", "direction-length"})
         cases.push_back(find_case_source(name)->make(power, seed));
       cases.push_back(find_case_source("surface")->make(16, seed));
+      cases.push_back(find_case_source("distance")->make(power / 4, seed));
     }
     return cases;
   }();

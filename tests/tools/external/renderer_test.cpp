@@ -41,6 +41,25 @@ TEST(Renderer, samples_pixels_where_the_scene_says) {
   expect_parts(causes(kProbeScene, "corners"), {"i/w and j/h place the pixels"});
 }
 
+TEST(Renderer, is_judged_by_what_is_declared_of_it) {
+  const auto wrong = [](const std::string& scene, const std::string& mistake,
+                        const std::string& declared) {
+    return judged(scene, renderer(mistake), "--declare '" + declared + "'")["discrepancies"];
+  };
+  EXPECT_EQ(wrong(kProbeScene, "corners", "samples corners"), 0);
+  EXPECT_GT(wrong(kProbeScene, "right", "samples corners"), 0);
+  const std::string around = "scene/examples/sphere-around-eye.toml";
+  EXPECT_EQ(wrong(around, "right", "culling none"), 0);
+  EXPECT_GT(wrong(around, "right", "culling back-faces"), 0);
+  for (const std::string declared : {"rows top-first", "samples corners; returns class"}) {
+    const Outcome refused = run("check " + kProbeScene + " --declare '" + declared +
+                                    "' --candidate '" + renderer("right") + "'",
+                                2);
+    expect_parts(refused.err, {"--declare '" + declared + "': of a renderer, which has no "
+                               "functions, only windows and conventions of pictures can be "});
+  }
+}
+
 TEST(Renderer, with_dimmed_colours_still_has_its_mask_judged) {
   EXPECT_EQ(judged(kProbeScene, renderer("dim"))["discrepancies"], 0);
   EXPECT_GT(judged(kProbeScene, renderer("dim-upside-down"))["discrepancies"], 0);

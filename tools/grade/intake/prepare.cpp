@@ -262,7 +262,7 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     // what items are about, or tolerances. An adapter is the instructor's, and so is what the
     // rubric declares.
     contract::Declarations& declared = external.introduction.declared;
-    if (found.adapter.empty()) {
+    if (found.adapter.empty() && !external.renderer) {
       declared.interface = {.returns = declared.interface.returns};
       declared.tolerances = {};
       declared.lengths = {};
