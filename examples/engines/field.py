@@ -32,6 +32,7 @@ LAWS = {  # by law: the kind of answer that a column shows
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",
 }
 ANSWERS = ("class", "root", "s", "Q", "picture")  # the kinds that frontiers depend on
+KEEPS_STATE = "the candidate keeps state between questions"
 AGREES = {"double": 1e-14, "single": 1e-6}  # relative: what a reproduction prints, and the candidate's answer
 
 
@@ -257,6 +258,8 @@ class Page:
             if not what or what in found or campaign["finding"] != "broken" or what in ("scaling", "axes"):
                 continue
             if not campaign["discrepancies"]:
+                if any(KEEPS_STATE in one["sentence"] for one in campaign["explanations"]):
+                    continue  # no single case shows it
                 raise RuntimeError(f"{campaign['law']}: broken, but its smallest case shows no wrong answer: {campaign['scene']}")
             numbers = scene_numbers(campaign["scene"], campaign["discrepancies"][0]["pixel"])
             part = next(part for part in campaign["parts"] if part["replay"] == campaign["replay"])
