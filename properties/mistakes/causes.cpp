@@ -26,6 +26,7 @@ struct Followed {
   std::string text;
   DeclaredConventions declared = {};
   std::optional<contract::Interface> interface = {};
+  bool is_of_hits = true;  ///< Whether it changes hits, not only the rays that are made.
 };
 
 /// Sets the choice of this type.
@@ -55,7 +56,9 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
     for (std::size_t k = 0; k < names_of(Value{}).size(); ++k) {
       const auto value = static_cast<Value>(k);
       if (scene::name(value) == "either") continue;  // under it tangents are not judged
-      choose(add(name, value).declared, Choice(value));
+      Followed& one = add(name, value);
+      choose(one.declared, Choice(value));
+      one.is_of_hits = is_of_hits;
     }
   });
   const auto add_valid = [&](std::string text, auto member, auto value) {
@@ -95,7 +98,11 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
       // Nor is there another way of calling code that always looks at a sphere's centre.
       if (allowed.interface.view == contract::View::kCentre) continue;
       if (allowed.interface != candidate.interface && contract::defects(allowed).empty()) {
-        add(name, static_cast<Value>(k)).interface = allowed.interface;
+        Followed& one = add(name, static_cast<Value>(k));
+        one.interface = allowed.interface;
+        one.is_of_hits = std::is_same_v<Value, contract::SphereSize> ||
+                         std::is_same_v<Value, contract::RayForm> ||
+                         std::is_same_v<Value, contract::FromInside>;
       }
     }
   });
@@ -137,17 +144,36 @@ bool same_answers(Trial& one, Trial& other) {
   return !candidate.nearest || one.nearest() == other.nearest();
 }
 
+/// Whether the candidate finds any hit.
+bool finds_hit(Trial& trial) {
+  const Candidate& candidate = trial.candidate();
+  if (!trial.picks() && !trial.has_rays()) return false;
+  for (std::size_t k = 0; k < trial.scene().spheres.size(); ++k) {
+    if ((trial.picks() || candidate.intersect) && !trial.hits(k).empty()) return true;
+  }
+  return candidate.nearest &&
+         std::ranges::any_of(trial.nearest(), [](const auto& one) { return one.has_value(); });
+}
+
+/// The counts of a law's answers in a case.
+struct Counts {
+  std::uint64_t defects = 0, compared = 0;
+};
+
 /// Whether a candidate, called by this interface, gives right answers under these conventions, and
-/// the same under those that are asked for.
+/// the same under those that are asked for. If hits depend on it, some are needed, as misses may
+/// be right for any reason; nor is it enough that as many answers as were wrong are not judged
+/// then.
 bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& candidate,
-              const Followed& under) try {
+              const Followed& under, const std::vector<Counts>& before) try {
   const auto& [rows, samples, origin, root, tangent, valid] = under.declared;
   const bool has_convention = rows || samples || origin || root || tangent || valid;
   const Candidate called = following(candidate, {{}, {}, under.interface});
   const Candidate other_candidate = following(candidate, under);
-  std::uint64_t asked = 0;
-  for (const Case& given : cases) {
-    const auto one = rounded_case(given, other_candidate.input_format()).the_case;
+  std::uint64_t asked = 0, compared = 0, needed = 0;
+  bool is_shown = !under.is_of_hits;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const auto one = rounded_case(cases[k], other_candidate.input_format()).the_case;
     if (!one || !is_problem(*one, other_candidate.declared)) continue;
     Trials declared(*one, called, {}), followed(*one, other_candidate, {});
     const Verdict verdict = followed.apply(law);
@@ -158,23 +184,31 @@ bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& c
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
     }
     asked += verdict.compared() > 0 ? 1 : 0;
+    compared += verdict.compared() + before[k].defects;
+    needed += before[k].compared;
+    is_shown = is_shown || finds_hit(followed.of(law));
   }
-  return 2 * asked > cases.size();
+  return is_shown && 2 * asked > cases.size() && (!under.is_of_hits || compared > needed);
 } catch (const NoAnswer&) {
   return false;
 }
 
-/// The number of defects that a law finds in these cases; 0 if the candidate fails on one of them.
-std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
-                            const Candidate& candidate) {
-  std::uint64_t count = 0;
+/// A law's counts in these cases; no defects if the candidate fails on one of them.
+std::vector<Counts> counts_of(const Law& law, const std::vector<Case>& cases,
+                              const Candidate& candidate) {
+  std::vector<Counts> counts;
   for (const Case& one : cases) {
     const Verdict verdict = Trials(one, candidate, {}).apply(law);
     const auto worst = verdict.worst(1);
-    if (!worst.empty() && worst.front().wrong == Wrong::kFailed) return 0;
-    count += verdict.count(Standing::kDefect);
+    if (!worst.empty() && worst.front().wrong == Wrong::kFailed) return {};
+    counts.push_back({verdict.count(Standing::kDefect), verdict.compared()});
   }
-  return count;
+  return counts;
+}
+std::uint64_t defects_of(const std::vector<Counts>& counts) {
+  std::uint64_t sum = 0;
+  for (const Counts& one : counts) sum += one.defects;
+  return sum;
 }
 
 /// The smallest set of conventions, one or two, that a candidate follows without declaring them, or
@@ -185,7 +219,8 @@ std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
 std::optional<Explanation> right_under(const Law& law, const std::vector<Case>& cases,
                                        const Candidate& candidate) {
   if (candidate.image) return {};
-  const std::uint64_t defects = count_defects(law, cases, candidate);
+  const std::vector<Counts> counts = counts_of(law, cases, candidate);
+  const std::uint64_t defects = defects_of(counts);
   if (defects == 0) return {};
   const auto said = [&](const Followed& under) {
     return Explanation{"right under " + under.text + ", which the candidate does not declare",
@@ -193,15 +228,16 @@ std::optional<Explanation> right_under(const Law& law, const std::vector<Case>& 
   };
   const std::vector<Followed> all = undeclared(candidate);
   for (const Followed& one : all) {
-    if (is_right(law, cases, candidate, one)) return said(one);
+    if (is_right(law, cases, candidate, one, counts)) return said(one);
   }
   for (std::size_t one = 0; one < all.size(); ++one) {
     // Starts after both values of the first convention.
     for (std::size_t other = (one / 2 + 1) * 2; other < all.size(); ++other) {
       if (all[one].interface) continue;
       const Followed both = {all[one].text + " and " + all[other].text,
-                             all[one].declared.over(all[other].declared), all[other].interface};
-      if (is_right(law, cases, candidate, both)) return said(both);
+                             all[one].declared.over(all[other].declared), all[other].interface,
+                             all[one].is_of_hits || all[other].is_of_hits};
+      if (is_right(law, cases, candidate, both, counts)) return said(both);
     }
   }
   return {};
@@ -241,12 +277,12 @@ std::vector<Explanation> answer_explanations(const Law& law, const std::vector<C
   std::vector<Case> not_searched;
   std::copy_if(cases.begin(), cases.end(), std::back_inserter(not_searched),
                [&](const Case& one) { return is_left_out(one, candidate); });
-  const std::uint64_t others = count_defects(law, not_searched, candidate);
+  const std::uint64_t others = defects_of(counts_of(law, not_searched, candidate));
   for (Explanation& one : found) {
     if (one.explained == 0) continue;
     one.errors += others;
     if (one.sentence == kNotNumbers) {
-      one.errors = std::max(one.errors, count_defects(law, cases, candidate));
+      one.errors = std::max(one.errors, defects_of(counts_of(law, cases, candidate)));
     }
   }
   std::erase_if(found, [](const Explanation& one) {

@@ -169,10 +169,10 @@ std::vector<Mistake> root_slips() {
   return all;
 }
 
-/// A mistake in the branch for b^2 - 4ac = 0.
-Mistake at_one_root() {
+/// A mistake in the branch for b^2 - 4ac = 0, whose s counts even if it is negative.
+Mistake at_one_root(std::string sentence, double (*parameter)(double v, double size)) {
   Mistake mistake =
-      of_hits("where b^2 - 4ac = 0, s is -b/2*a (not -b/(2a)), even if it is negative",
+      of_hits(std::move(sentence),
               {.roots =
                    [](const Ray& ray, const Sphere& sphere) {
                      Roots roots = fast::kCross.roots(ray, sphere);
@@ -180,10 +180,11 @@ Mistake at_one_root() {
                        roots.half_chord_sq = 0;
                      return roots;
                    },
-               .choose = [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
-                 if (roots.half_chord_sq != 0) return usual_choice(ray, roots, c);
-                 return hit_at(ray, roots.axial_distance * std::pow(norm(ray.direction), 3));
-               }});
+               .choose =
+                   [parameter](const Ray& ray, const Roots& roots, const Conventions& c) {
+                     if (roots.half_chord_sq != 0) return usual_choice(ray, roots, c);
+                     return Hit(hit_at(ray, parameter(roots.axial_distance, norm(ray.direction))));
+                   }});
   mistake.shows_in_pictures = false;
   return mistake;
 }
@@ -280,7 +281,10 @@ std::vector<Mistake> intersect_mistakes() {
                         const double s = is_first ? roots.smaller : roots.larger;
                         return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
                       }),
-           at_one_root(),
+           at_one_root("where b^2 - 4ac = 0, s is -b/2*a (not -b/(2a)), even if it is negative",
+                       [](double v, double size) { return v * size * size * size; }),
+           at_one_root("where b^2 - 4ac = 0, s is 0: the hit is the ray's origin",
+                       [](double, double) { return 0.0; }),
            of_answers("s is read as an integer: its fraction is dropped, and 0 is a miss",
                       [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
                         const Hit hit = usual_choice(ray, roots, c);

@@ -70,17 +70,22 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
 }
 
 /// The cause that q cancels: the roots q/a and c/q lose the digits that q = v + d or v - d loses,
-/// and the larger root does, too, if q is the cancelling one. From inside a sphere, roundings of
-/// d^2 do not change the larger root.
+/// and the larger root does, too, if q is the cancelling one; if q loses all, the ray may miss.
+/// From inside a sphere, roundings of d^2 do not change the larger root.
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
+  const auto lost = [u = examination.roundoff()](const Ray& ray, const Sphere& sphere) {
+    const auto roots = fast::kCross.roots(ray, sphere);
+    const double v = std::abs(roots.axial_distance);
+    const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
+    return kRoundings * u * (v + d) / std::abs(v - d);
+  };
   const auto found = small_errors(
-      examination, [](const auto&...) { return false; },
+      examination,
+      [&](const AskedCase&, const Ray& ray, const Sphere& sphere, const auto&) {
+        return lost(ray, sphere) >= 1;
+      },
       [&](const AskedCase&, const Ray& ray, const Sphere& sphere, double, double off) {
-        const auto roots = fast::kCross.roots(ray, sphere);
-        const double v = std::abs(roots.axial_distance);
-        const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
-        const double lost = kRoundings * examination.roundoff() * (v + d) / std::abs(v - d);
-        return off <= lost;
+        return off <= lost(ray, sphere);
       },
       [](const AskedCase&, const Ray& ray, const Sphere& sphere, double s) {
         const auto roots = fast::kCross.roots(ray, sphere);

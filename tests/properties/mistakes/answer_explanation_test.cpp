@@ -168,6 +168,27 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
   }
 }
 
+/// Wrong answers that are not judged under a convention, and misses, which any radius may explain,
+/// are no evidence of it.
+TEST(Conventions, AreNotNamedIfNothingShowsThem) {
+  Candidate candidate = candidate_of("where b^2 - 4ac = 0, s is 0: the hit is the ray's origin");
+  candidate.declared.tangent = scene::Tangent::kEither;
+  candidate.declared.valid = scene::ValidRoots{.t_max = 1};
+  const Law& of_class = *find_law("class");
+  std::vector<Case> cases;
+  for (int k = 0; k < 12; ++k) {
+    Case one = find_case_source("rays")->make(0, static_cast<std::uint64_t>(k));
+    one.scene.spheres = {{{0, 0, -1}, 32}};
+    const double z = k;
+    one.scene.rays = {{{32, 0, z}, {0, 0, 1}}, {{100, 0, z}, {0, 0, 1}}};
+    cases.push_back(one);
+  }
+  const std::vector<Explanation> found = causes(of_class, cases, candidate);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].sentence.find("right under"), std::string::npos) << found[0].sentence;
+  EXPECT_EQ(found[0].errors, 12u);
+}
+
 /// Mistakes hit at roots from inside; a candidate that declares other hits there is examined
 /// outside.
 TEST(Causes, AreSoughtOutsideSpheresThatAreDeclaredSolid) {
