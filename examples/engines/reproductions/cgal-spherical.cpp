@@ -10,7 +10,8 @@ int main() {
   if (points.empty()) return std::puts("miss"), 0;
   bool forward = {dx} > 0 || ({dx} == 0 && ({dy} > 0 || ({dy} == 0 && {dz} > 0)));
   auto first = forward ? points.front() : points.back();
-  auto p = boost::get<std::pair<K::Circular_arc_point_3, unsigned>>(first).first;
+  using boost::get, std::get;  // CGAL 5 has Boost's variants, CGAL 6 those of the standard library
+  auto p = get<std::pair<K::Circular_arc_point_3, unsigned>>(first).first;
   std::printf("%.17g %.17g %.17g\n", CGAL::to_double(p.x()), CGAL::to_double(p.y()),
               CGAL::to_double(p.z()));
 }
