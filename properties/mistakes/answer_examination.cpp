@@ -35,7 +35,15 @@ bool is_number(const Answer& answer) {
   });
 }
 
+/// The s of a point, or of the point of the ray that is nearest to it.
+double parameter_of(const Point3& point, const Ray& ray) {
+  const Vector3 T = point - ray.origin;
+  const auto& [x, y, z] = ray.direction;
+  return (T.x * x + T.y * y + T.z * z) / (x * x + y * y + z * z);
+}
+
 StepAnswers hit_answers(const AskedCase& asked, Trial& trial) {
+  const bool picks_points = asked.picks && gives_point(asked.returns);
   const std::vector<Sphere>& spheres = asked.the_case.scene.spheres;
   std::vector<SphereHits> found;
   if (asked.picks) {
@@ -51,6 +59,7 @@ StepAnswers hit_answers(const AskedCase& asked, Trial& trial) {
       answers[first + ray].choice = 0;
       auto& [s, Q, none] = answers[first + ray].vectors;
       if (asked.returns != Returns::kClass) s.x = hit.parameter;
+      if (picks_points) s.x = parameter_of(hit.point, asked.rays[ray]);
       if (gives_point(asked.returns)) Q = vector(hit.point);
     }
   }

@@ -145,7 +145,7 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
         break;
       }
       const bool all_by_mistake = !suspects.empty() && left == 0;
-      if (!all_by_mistake && part.first >= Step::kIntersect) {
+      if (!all_by_mistake && step >= Step::kIntersect) {
         if (const auto found = roundings_at(examination, step, tolerance)) return *found;
         // If roundings may be the cause, too, the cause is unknown.
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
@@ -189,7 +189,14 @@ bool explains(Examination& examination, const AnswerCause& found, Step step) {
          });
 }
 
+/// Whether only hits can show mistakes in its rays.
+bool only_picks(const Candidate& candidate) {
+  return candidate.pick && !candidate.frame && !candidate.pixel_points && !candidate.pixel_rays &&
+         !candidate.focal_rays;
+}
+
 std::vector<AnswerCause> causes_in(Examination& examination) {
+  const Step first_of_hits = only_picks(examination.candidate()) ? Step::kFrame : Step::kIntersect;
   std::vector<AnswerCause> findings = {find_cause(examination, {Step::kFrame, Step::kRay})};
   for (const Step step : {Step::kIntersect, Step::kNearest}) {
     const bool is_known =
@@ -200,7 +207,8 @@ std::vector<AnswerCause> causes_in(Examination& examination) {
     const bool hits_are_right =
         step == Step::kNearest &&
         examination.errors(Step::kIntersect, kAnswerTolerances.front()) == 0;
-    findings.push_back(find_cause(examination, {hits_are_right ? Step::kIntersect : step, step}));
+    const Step first = step == Step::kIntersect ? first_of_hits : step;
+    findings.push_back(find_cause(examination, {hits_are_right ? Step::kIntersect : first, step}));
     // If nothing explains the hits, nearest spheres that follow from these hits prove nothing.
     if (step == Step::kIntersect && findings.back().alternatives.empty() &&
         examination.errors(step, kAnswerTolerances.front()) > 0) {

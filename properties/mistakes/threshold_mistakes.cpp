@@ -66,8 +66,7 @@ Roots both_at(double distance, double size) {
 Roots linear_roots(double most, double unit, const Ray& ray, const Roots& roots) {
   const double size = norm(ray.direction);
   const double v = roots.axial_distance, d_sq = roots.half_chord_sq;
-  const double product =
-      d_sq >= 0 ? roots.smaller * roots.larger : (v * v - d_sq) / (size * size);
+  const double product = d_sq >= 0 ? roots.smaller * roots.larger : (v * v - d_sq) / (size * size);
   if (!(product > most * unit)) return roots;
   return v == 0 ? Roots{0, -1, 0, 0} : both_at(product * size * size / (2 * v), size);
 }

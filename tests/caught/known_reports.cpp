@@ -338,8 +338,9 @@ std::span<const KnownReport> known_reports() {
            "where |c| is below 1e-12 the origin counts as on the surface, also of small spheres",
        .mutant = "small-c-is-surface",
        .hit = small_c_is_surface,
-       .sentences = {"where |c| is below about 1e-12 (the limit may be larger) the origin counts as "
-                     "on the sphere, and only the other root counts: the epsilon is too large"}},
+       .sentences =
+           {"where |c| is below about 1e-12 (the limit may be larger) the origin counts as "
+            "on the sphere, and only the other root counts: the epsilon is too large"}},
       {.thread = "CesiumGS/cesium, IntersectionTests.rayEllipsoid in its source",
        .said = "from exactly the surface, the end is half of the chord",
        .mutant = "half-a-chord",

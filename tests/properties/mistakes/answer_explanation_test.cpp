@@ -337,6 +337,26 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfOnlyNearestSpheres) {
   }
 }
 
+using EachMistakeInPicks = EachMistake;
+
+TEST_P(EachMistakeInPicks, IsAmongTheExplanationsOfOnlyPicks) {
+  if (!who_may_make(mistake())) return;
+  // Rays with the direction 0 get no answer.
+  for (const char* zero : {"the axes are lost: all are zero", "are taken for 0"}) {
+    if (mistake().sentence.find(zero) != std::string::npos) return;
+  }
+  Candidate candidate;
+  candidate.pick = [made = mistake().candidate](
+                       const scene::Camera& camera, const scene::Conventions& by,
+                       Candidate::Pixels pixels, Candidate::Spheres spheres) {
+    return made.intersect(made.rays_from(by.origin)(camera, by, pixels), spheres, by);
+  };
+  const Sentences sentences = sentences_for(candidate);
+  if (sentences == Sentences{std::string(kTooFewErrors)}) return;
+  expect_among(sentences, as_named(mistake(), sentences).sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInPicks, testing::ValuesIn(indices(true)));
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInHits, testing::ValuesIn(indices(false)));
 
 /// Exceptions: for methods that compute d^2 as a difference, lost digits are reported, and for

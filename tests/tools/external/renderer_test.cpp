@@ -55,7 +55,8 @@ TEST(Renderer, is_judged_by_what_is_declared_of_it) {
     const Outcome refused = run("check " + kProbeScene + " --declare '" + declared +
                                     "' --candidate '" + renderer("right") + "'",
                                 2);
-    expect_parts(refused.err, {"--declare '" + declared + "': of a renderer, which has no "
+    expect_parts(refused.err, {"--declare '" + declared +
+                               "': of a renderer, which has no "
                                "functions, only windows and conventions of pictures can be "});
   }
 }
