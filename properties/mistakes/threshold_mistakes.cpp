@@ -47,13 +47,13 @@ Hit up_to(double most, const Ray& ray, const Roots& roots, const Conventions& c)
   return hit && hit->parameter <= most ? hit : Hit();
 }
 
-/// Sets d^2 = -1 if the line is less than `least` radii inside the sphere.
+/// Sets d^2 = -1 if the line is less than `least` inside the sphere.
 Roots roots_of_inner(double least, const Ray& ray, const Sphere& sphere) {
   Roots roots = fast::kCross.roots(ray, sphere);
   const double d_sq = roots.half_chord_sq, r = sphere.radius;
   if (!(d_sq >= 0)) return roots;
   const double depth = d_sq / (r + std::sqrt(std::fmax(0, r * r - d_sq)));
-  if (depth < least * r) roots.half_chord_sq = -1;
+  if (depth < least) roots.half_chord_sq = -1;
   return roots;
 }
 
@@ -174,7 +174,14 @@ const ThresholdGroup kGroups[] = {
     {"rays that pass less than about ",
      " radii (the limit may be larger) inside a sphere's outline miss it: the tolerance is too "
      "large",
-     "shallow chords", kSizes, nullptr, roots_of_inner, false},
+     "shallow chords", kSizes, nullptr,
+     [](double least, const Ray& ray, const Sphere& sphere) {
+       return roots_of_inner(least * sphere.radius, ray, sphere);
+     },
+     false},
+    {"rays that pass less than about ",
+     " (the limit may be larger) inside a sphere's outline miss it: the tolerance is too large",
+     "shallow lengths", kSizes, nullptr, roots_of_inner, false},
     {"directions with a |D|^2 below about ",
      " (the limit may be larger) hit nothing: the epsilon is too large", "short directions", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {

@@ -36,6 +36,7 @@ const std::vector<Case>& fixed_cases() {
         cases.push_back(find_case_source(name)->make(power, seed));
       cases.push_back(find_case_source("surface")->make(16, seed));
       cases.push_back(find_case_source("distance")->make(power / 4, seed));
+      cases.push_back(find_case_source("tangency")->make(power / 4, seed));
     }
     return cases;
   }();
