@@ -122,6 +122,15 @@ def mistake_of(campaigns, refuted):
     return best["sentence"] if best else ""
 
 
+def facts_of(campaigns):
+    """What no verdict depends on, in words: how exact tangents and hits at s = 0 are answered."""
+    tangents, missed, at_zero = (sum(campaign[name] for campaign in campaigns)
+                                 for name in ("tangents", "tangents_missed", "missed_at_zero"))
+    share = f"all {missed}" if missed == tangents > 1 else f"{missed} of {tangents}"
+    return "; ".join([f"takes {share} exact tangents for misses"] * (missed > 0)
+                     + [f"misses {at_zero} {'hit' if at_zero == 1 else 'hits'} at s = 0 exactly"] * (at_zero > 0))
+
+
 def error_of(campaigns, name):
     for campaign in campaigns:
         for quantity in campaign["quantities"]:
@@ -239,6 +248,7 @@ class Page:
         self.lengths = f"lengths from {power_of_two(least)} to {power_of_two(most)}" if least > 2**-959 or most < 2**1023 else ""
         refuted = engine.get("refuted", [])
         self.mistake = mistake_of(self.ordinary, refuted) or mistake_of(self.extreme, refuted)
+        self.facts = facts_of(self.ordinary)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")
         self.cases = self.smallest(raycheck, build)
         self.class_alone = any("only hit or miss" in (one["reason_left_out"] or "") for one in self.ordinary)
@@ -333,6 +343,8 @@ class Page:
         lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source].replace(' of r', off.get(source, ''))}" for source, (title, _) in FRONTIERS.items()]
         if self.mistake:
             lines += ["", f"The mistake that explains most wrong answers: {self.mistake}."]
+        if self.facts:
+            lines += ["", f"On ordinary cases it {self.facts}; no verdict depends on that."]
         if self.others:
             lines += ["", f"Its documentation does not say {engine['silent']}. This page assumes that {engine['reading']}."]
             lines += [f"If {other.engine['reading']}, the verdict is not milder: ordinary: {other.cell('ordinary')}; "

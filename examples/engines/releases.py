@@ -55,7 +55,7 @@ def documented(docs):
 
 
 def judged(engine, version, raycheck, build):
-    """The verdict on an engine, with another release of its package."""
+    """The verdict on an engine, with another release of its package; None if npm cannot install this release."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="release.", dir=build))
     try:
         folder.chmod(0o755)  # candidates run as another user
@@ -64,6 +64,8 @@ def judged(engine, version, raycheck, build):
         subprocess.run(["npm", "install", "--ignore-scripts", "--legacy-peer-deps", "--no-audit", "--no-fund", "--silent",
                         f"{engine['package']}@{version}"], cwd=folder / "field/npm", check=True)
         return verdict_of(line(field.Page(engine, raycheck, folder).row()))
+    except subprocess.CalledProcessError:
+        return None
     finally:
         shutil.rmtree(folder)
 
@@ -86,13 +88,16 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = {(engine["name"], version): pool.submit(judged, engine, version, raycheck, options.build.resolve())
                 for engine in engines for version in engine.get("releases", [])}
-    rows, same = [], []
+    rows, same, missing = [], [], []
     for engine in engines:
         name, reasons = engine["name"], dict(engine.get("changed", {}))
         # A page of the same version was not judged on Debian 13, whose packages all have other versions.
         if name not in here or not engine.get("releases") and newer.get(name, here[name])[0] == here[name][0]:
             continue
-        releases = [(version, jobs[name, version].result()) for version in engine.get("releases", [])] + [here[name]]
+        judged_ones = {version: jobs[name, version].result() for version in engine.get("releases", [])}
+        absent = [version for version, verdict in judged_ones.items() if verdict is None]
+        missing += [f"- {engine['library']} {version}, or a package that it needs" for version in absent]
+        releases = [(version, verdict) for version, verdict in judged_ones.items() if verdict] + [here[name]]
         if not engine.get("releases"):
             releases = [(f"{upstream(version)} (Debian {debian})", verdict) for debian, (version, verdict)
                         in ((12, here[name]), (13, newer[name]))]
@@ -102,13 +107,14 @@ def main():
             reason = reasons.pop(after.split()[0], "")
             if cells or reason:
                 rows.append([engine["library"], f"`{engine['function']}`", before, after, cells or "no verdict", reason or "not known"])
-        if reasons:
+        if reasons and not absent:
             sys.exit(f"field: {name}: `changed` in engines.toml names a release that is not in `releases`: {', '.join(reasons)}")
-        if len(rows) == listed:
+        if len(rows) == listed and len(releases) > 1:
             same.append(f"- {engine['library']}, `{engine['function']}`: {', '.join(version for version, _ in releases)}")
     head = ["library", "function", "before", "after", "what changed", "why"]
     text = "\n".join([*("| " + " | ".join(row) + " |" for row in [head, ["---"] * len(head), *rows]),
-                      "", "## The same in every release judged", "", *same]) + "\n"
+                      "", "## The same in every release judged", "", *same,
+                      *(["", "## No longer in npm's registry", "", *missing] if missing else [])]) + "\n"
     print(text)
     if options.write:
         (options.write / "field-releases.md").write_text(INTRODUCTION + ("" if options.newer else WITHOUT_NEWER) + "\n" + text)

@@ -1,4 +1,4 @@
-// v=$(ls /usr/include | grep ^vtk-) && g++ case.cpp -I/usr/include/$v -lvtkCommonMath-${v#vtk-} -lvtkCommonCore-${v#vtk-} -o case
+// v=$(ls /usr/include | grep ^vtk-) && g++ case.cpp -I/usr/include/$v -lvtkCommonMath-${v#vtk-} -lvtkCommonCore-${v#vtk-} -lvtksys-${v#vtk-} -o case
 #include <vtkPolynomialSolversUnivariate.h>
 #include <algorithm>
 #include <cstdio>
