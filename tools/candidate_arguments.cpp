@@ -122,9 +122,6 @@ void add_judged(CLI::App& command, ExternalArguments& arguments) {
           "multiples of |near|; then, if not inf, the number of a pixel without a sphere: 'z "
           "miss 0'")
       ->needs(candidate);
-  add_named(command, "--origin", arguments.origin, scene::kOriginNames,
-            "where the rays of a renderer start (default: where the scene says)")
-      ->needs(candidate);
 }
 
 namespace {
@@ -182,7 +179,6 @@ RunOptions run_options(const ExternalArguments& arguments) {
       arguments.image_change.value_or(properties::excused_image_change(options.precision));
   options.image_threshold = arguments.threshold;
   options.any_sample = arguments.any_sample;
-  options.origin = arguments.origin;
   try {
     if (!arguments.depth.empty()) options.depth = depth_form(arguments.depth);
   } catch (const std::invalid_argument& error) {

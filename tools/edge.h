@@ -143,12 +143,12 @@ inline constexpr std::string_view kReportOptions[] = {
 /// Options that units depend on: a shard writes them into its folder, with the positional
 /// arguments, and `merge` takes them from one.
 inline constexpr std::string_view kUnitOptions[] = {
-    "--filter",     "--cases",       "--seed",     "--rays",      "--source",       "--intersect",
-    "--candidate",  "--declare",     "--read",     "--level",     "--include",      "--timeout",
-    "--memory",     "--bounds",      "--target",   "--precision", "--image-change", "--t-threshold",
-    "--any-sample", "--depth",       "--origin",   "--dialect",   "--keep-going",   "--max-ulp",
-    "--method",     "--severity",    "--quantity", "--by",        "--steps",        "--searches",
-    "--pixels",     "--secret-file", "--strict",   "--all"};
+    "--filter",      "--cases",    "--seed",    "--rays",       "--source",       "--intersect",
+    "--candidate",   "--declare",  "--read",    "--level",      "--include",      "--timeout",
+    "--memory",      "--bounds",   "--target",  "--precision",  "--image-change", "--t-threshold",
+    "--any-sample",  "--depth",    "--dialect", "--keep-going", "--max-ulp",      "--method",
+    "--severity",    "--quantity", "--by",      "--steps",      "--searches",     "--pixels",
+    "--secret-file", "--strict",   "--all"};
 
 /// Those of both that have no value.
 inline constexpr std::string_view kFlags[] = {"--i-know", "--update-baseline", "--strict-baseline",
@@ -196,11 +196,10 @@ struct ExternalArguments {
   std::optional<double> image_change;                      ///< Empty: the precision's default.
   double threshold = 0;
   bool any_sample = false;
-  std::string depth;                    ///< For depth_form(); empty: pictures show colours.
-  std::optional<scene::Origin> origin;  ///< Of renderers; empty: the scene's.
+  std::string depth;  ///< For depth_form(); empty: pictures show colours.
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
-/// The same, and --precision, --image-change, --t-threshold, --any-sample, --depth and --origin.
+/// The same, and --precision, --image-change, --t-threshold, --any-sample and --depth.
 void add_judged(CLI::App& command, ExternalArguments& arguments);
 /// Compiles each candidate if necessary, and reads its introduction; `driver` is the form of driver
 /// file that renderers read, found by a dry run if the rule tries several.

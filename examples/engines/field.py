@@ -14,6 +14,7 @@ import fractions
 import json
 import math
 import pathlib
+import shlex
 import shutil
 import subprocess
 import sys
@@ -47,7 +48,7 @@ def words_of(engine, build):
     words = [str(field / word) if "/" in word else word for word in engine["command"].split()] + [str(field / engine["adapter"])]
     words += engine.get("arguments", "").split()
     kind = "renderer" if engine.get("renders") else "command"
-    return [f"{kind}:" + " ".join(words), "--read", str(field), *engine.get("options", "").split()]
+    return [f"{kind}:" + " ".join(words), "--read", str(field), *shlex.split(engine.get("options", ""))]
 
 
 def version_of(engine, build):

@@ -379,7 +379,7 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
-/// What its options and the format of its scene files imply; the scene says the rest.
+/// What the format of its scene files implies; the scene says the rest.
 Introduction introduction_of(const Renderer& renderer) {
   Introduction introduction;
   contract::DeclaredConventions& conventions = introduction.declared.conventions = {};
@@ -389,7 +389,6 @@ Introduction introduction_of(const Renderer& renderer) {
     conventions.samples = format.samples;
     conventions.origin = format.origin;
   }
-  if (renderer.origin) conventions.origin = renderer.origin;
   if (format.has_angle()) {
     introduction.declared.interface.windows = contract::Windows::kSquarePixels;
   }

@@ -41,7 +41,6 @@ std::string arguments_of(const Renderer& renderer, scene::Precision precision) {
   }
   if (renderer.any_sample) words += " --any-sample";
   if (renderer.depth) words += " --depth " + shell_word(renderer.depth->text());
-  if (renderer.origin) words += fmt::format(" --origin {}", name(*renderer.origin));
   return words;
 }
 

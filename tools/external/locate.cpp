@@ -218,7 +218,6 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   found.threshold = options.image_threshold;
   found.any_sample = options.any_sample;
   found.depth = options.depth;
-  found.origin = options.origin;
   found.answers = options.answers;
   External external = rendering(spec.text(), std::move(found));
   external.precision = options.precision;

@@ -21,8 +21,6 @@ struct RunOptions {
   double image_threshold = 0;
   bool any_sample = false;
   std::optional<DepthForm> depth = {};
-  /// The origin of their rays; empty: as the scene says.
-  std::optional<scene::Origin> origin = {};
   /// Folders that it may read besides its own folder.
   std::vector<std::filesystem::path> reads = {};
   /// Folders with headers for its source, which it may read.

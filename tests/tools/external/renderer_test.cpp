@@ -157,9 +157,10 @@ json tally_of(const std::string& mistake, const std::string& more) {
 
 TEST(Renderer, is_judged_with_the_given_ray_origin) {
   EXPECT_GT(judged(kProbeScene, renderer("from-eye"))["discrepancies"], 0);
-  EXPECT_EQ(judged(kProbeScene, renderer("from-eye"), "--origin focal")["discrepancies"], 0);
-  EXPECT_GT(judged(kProbeScene, renderer("right"), "--origin focal")["discrepancies"], 0);
-  tally_of("from-eye", "--origin focal");
+  EXPECT_EQ(judged(kProbeScene, renderer("from-eye"), "--declare 'origin focal'")["discrepancies"],
+            0);
+  EXPECT_GT(judged(kProbeScene, renderer("right"), "--declare 'origin focal'")["discrepancies"], 0);
+  tally_of("from-eye", "--declare 'origin focal'");
 }
 
 TEST(Renderer, is_tried_in_its_dialect_and_within_its_threshold) {

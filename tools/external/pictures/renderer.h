@@ -55,8 +55,7 @@ struct Renderer {
   double excused_change = properties::kExcusedImageChange;
   double threshold = 0;     ///< Wrong pixels with an exact s of at most this are excused.
   bool any_sample = false;  ///< Whether any point of a pixel's square may be its sample.
-  std::optional<DepthForm> depth = {};       ///< Empty: its pictures show colours.
-  std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
+  std::optional<DepthForm> depth = {};  ///< Empty: its pictures show colours.
   /// The number of time-outs after which it is no longer started.
   int most_timeouts = kMostTimeouts;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
