@@ -55,6 +55,9 @@ def version_of(engine, build):
     """The version of the installed package; empty if it is not installed."""
     if "package" not in engine:
         return "in its usual form"
+    if engine.get("prints_version"):
+        program = [*engine["command"].split(), build / "field" / engine["adapter"]]
+        return subprocess.run(program, capture_output=True, text=True).stdout.strip()
     package = build / "field/npm/node_modules" / engine["package"] / "package.json"
     if package.exists():
         return json.loads(package.read_text())["version"]
