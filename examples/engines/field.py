@@ -341,10 +341,11 @@ class Page:
                  self.origin() + (f" Judged on {self.lengths}." if self.lengths else ""), "",
                  "The wrong answers, by level; each line has only the cases of that level (the laws [scaling and axes](../laws.md) are listed, but not illustrated below):", ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
-        lines += ["", "The hardest severity up to which class, root, s and Q are right (for *grazing*, the distance of rays from tangency; cases of other sources are not in this list):", ""]
         texts = {source: self.frontier_text(source) for source in FRONTIERS}
         off = {"tangency": " r from tangency", "inside": " r from the centre"}
-        lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source].replace(' of r', off.get(source, ''))}" for source, (title, _) in FRONTIERS.items()]
+        if set(texts.values()) != {"-"}:
+            lines += ["", "The hardest severity up to which class, root, s and Q are right (for *grazing*, the distance of rays from tangency; cases of other sources are not in this list):", ""]
+            lines += [f"- {title}: {'only the mildest' if texts[source] == '1' else texts[source].replace(' of r', off.get(source, ''))}" for source, (title, _) in FRONTIERS.items()]
         if self.mistake:
             lines += ["", f"The mistake that explains most wrong answers: {self.mistake}."]
         if self.facts:
