@@ -91,10 +91,10 @@ class Truth {
   std::optional<std::vector<std::optional<NearestSphere>>> nearest_;
 };
 
-/// These conventions with every root >= 0. Plans are made under them, so that they include all
-/// roots that may count.
+/// These conventions with every root >= 0, or every root if lines are intersected. Plans are made
+/// under them, so that they include all roots that may count.
 inline Conventions planned(Conventions conventions) {
-  conventions.valid = {};
+  conventions.valid = {.t_min = std::min(0.0, conventions.valid.t_min)};
   return conventions;
 }
 

@@ -113,6 +113,8 @@ std::uint64_t count_otherwise(const Pictures& pictures, const Fault& fault) {
 
 bool Evidence::may_be_elsewhere_in_pixels() const {
   const Scene& scene = picture_->scene;
+  // Otherwise nothing is refuted.
+  if (!scene.conventions.valid.is_usual()) return false;
   const reference::ExactCamera camera(*scene.camera, scene.conventions);
   for (std::size_t k = 0; k < pixels_.size(); ++k) {
     const auto& shown = picture_->image[k];

@@ -275,9 +275,13 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
     throw std::invalid_argument("camera: absent; a scene of given rays has no plan");
   }
   const Camera& camera = *scene.camera;
+  // Pixels and distances are bounded in front of the origins; here roots behind them count, too.
+  const bool counts_behind = conventions.valid.t_min < 0;
+  PlanItems used = items;
+  if (counts_behind) used.view = used.behind = used.rectangles = false;
   ScenePlan plan{
       conventions, wanted,
-      items,       EyeSpace(camera, conventions, scaling_of(scene, items.scaling), !items.basis),
+      used,        EyeSpace(camera, conventions, scaling_of(scene, items.scaling), !items.basis),
       {},          {}};
   const PlanTerms terms = terms_of(camera, plan);
   std::vector<SpherePlan>& spheres = plan.spheres;
@@ -288,6 +292,7 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
               std::span(spheres).subspan(begin, end - begin),
               std::span(plan.nearest_distance).subspan(begin, end - begin));
   });
+  if (counts_behind) std::ranges::fill(plan.nearest_distance, 0);
   // A sphere whose near root does not count hides nothing.
   const bool all_count = conventions.valid.is_usual();
   if (items.hidden && wanted == Wanted::kNearest && all_count) {

@@ -41,6 +41,9 @@ def nearest(ray, spheres):
     best = None
     for sphere, colour in spheres:
         hit = right.intersect(ray, sphere, Asked)
+        if MISTAKE == "lines":  # spheres behind the origin, too
+            behind = right.intersect((ray[0], tuple(-x for x in ray[1])), sphere, Asked)
+            hit = (-behind[0],) if behind else hit
         if hit is None:
             continue
         if MISTAKE == "threshold" and hit[0] < 0.5:

@@ -426,10 +426,13 @@ TEST(Visibility, ClassesAreExact) {
 /// With intervals and culling, the nearest sphere is often behind others.
 TEST(Visibility, FollowsTheRootsThatCount) {
   int differing = 0;
-  for (const scene::ValidRoots& valid : {scene::ValidRoots{4, kInfinity, {}, {}, {}},
-                                         {0, 9, scene::Ends::kOpen, {}, {}},
-                                         {2, 30, {}, scene::TUnit::kRadius, {}},
-                                         {0, kInfinity, {}, {}, scene::Culling::kFrontFaces}}) {
+  for (const scene::ValidRoots& valid :
+       {scene::ValidRoots{4, kInfinity, {}, {}, {}},
+        {0, 9, scene::Ends::kOpen, {}, {}},
+        {2, 30, {}, scene::TUnit::kRadius, {}},
+        {-kInfinity, kInfinity, {}, {}, {}},
+        {-kInfinity, kInfinity, {}, {}, scene::Culling::kFrontFaces},
+        {0, kInfinity, {}, {}, scene::Culling::kFrontFaces}}) {
     for (const unsigned seed : {1U, 4U}) {
       scene::Scene scene = random_scene(seed);
       const std::vector<std::int32_t> usual = see(visibility_of(scene)).sphere;
@@ -440,7 +443,22 @@ TEST(Visibility, FollowsTheRootsThatCount) {
       expect_exact_classes(scene, 7);
     }
   }
-  EXPECT_GE(differing, 4);
+  EXPECT_GE(differing, 7);
+}
+
+TEST(Visibility, SeesSpheresBehindTheEyeIfLinesAreIntersected) {
+  for (const scene::Origin origin : {scene::Origin::kPixel, scene::Origin::kFocal}) {
+    scene::Scene scene = tangent_row(0, scene::Samples::kCentres, {0, 0, -1});
+    const scene::Camera& camera = *scene.camera;
+    const auto& [x, y, z] = camera.eye;
+    const auto& [u, v, w] = camera.look_at;
+    scene.conventions.origin = origin;
+    scene.spheres = {{{x + 3 * (x - u), y + 3 * (y - v), z + 3 * (z - w)}, 1}};
+    EXPECT_EQ(expect_exact(scene, see(visibility_of(scene))), 0);
+    scene.conventions.valid.t_min = -kInfinity;
+    EXPECT_GT(expect_exact(scene, see(visibility_of(scene))), 0);
+    expect_exact_classes(scene, 1);
+  }
 }
 
 TEST(Visibility, RefusesArraysAndRowsThatDoNotFit) {

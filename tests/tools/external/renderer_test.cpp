@@ -41,6 +41,15 @@ TEST(Renderer, samples_pixels_where_the_scene_says) {
   expect_parts(causes(kProbeScene, "corners"), {"i/w and j/h place the pixels"});
 }
 
+/// A scene with a sphere before the eye, and one behind it.
+std::string behind_scene() {
+  return temporary_file("behind.toml",
+                        "[camera]\neye = [0, 0, 6]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\n"
+                        "near = -2\nleft = -1\nright = 1\nbottom = -1\ntop = 1\nwidth = 15\n"
+                        "height = 15\n[[sphere]]\ncentre = [0, 0, -4]\nradius = 1.5\n"
+                        "[[sphere]]\ncentre = [1.7, 0.2, 16]\nradius = 1.25\n");
+}
+
 TEST(Renderer, is_judged_by_what_is_declared_of_it) {
   const auto wrong = [](const std::string& scene, const std::string& mistake,
                         const std::string& declared) {
@@ -51,6 +60,9 @@ TEST(Renderer, is_judged_by_what_is_declared_of_it) {
   const std::string around = "scene/examples/sphere-around-eye.toml";
   EXPECT_EQ(wrong(around, "right", "culling none"), 0);
   EXPECT_GT(wrong(around, "right", "culling back-faces"), 0);
+  EXPECT_EQ(wrong(behind_scene(), "right", "root nearest"), 0);
+  EXPECT_GT(wrong(behind_scene(), "right", "t_min -inf"), 0);
+  EXPECT_EQ(wrong(behind_scene(), "lines", "t_min -inf"), 0);
   for (const std::string declared : {"rows top-first", "samples corners; returns class"}) {
     const Outcome refused = run("check " + kProbeScene + " --declare '" + declared +
                                     "' --candidate '" + renderer("right") + "'",

@@ -70,6 +70,24 @@ json pictures_of_record(const Grading& grading, const std::string& name) {
 
 class Pictures : public GradingTest {};
 
+TEST_F(Pictures, are_judged_by_what_their_form_declares) {
+  std::string folder;
+  for (const std::string name : {"right.py", "written.py", "rt.py"}) {
+    folder =
+        grading.hand_in("anna", name, contents(RAYCHECK_SOURCE_DIR "/tests/candidates/" + name));
+  }
+  for (const auto& [mistake, points] : {std::pair("corners", 4), {"right", 0}}) {
+    const std::string form = std::string("[driver]\npreset = \"B\"\n[[form]]\nhas = \"rt.py\"\n") +
+                             "candidate = \"renderer:python3 rt.py " + mistake +
+                             " {scene} {image}\"\ndeclares = \"samples corners\"\n";
+    const std::string item =
+        item_of("seen", "points = 4", "[item.pictures]\nsources = [\"course\"]\ncases = 3\n");
+    grading.grade(grading.write("declares.toml", form + item), {folder}, mistake,
+                  "--format gradescope");
+    EXPECT_EQ(grading.result("anna", mistake)["score"], points) << mistake;
+  }
+}
+
 TEST_F(Pictures, show_the_drawn_and_the_exact_picture_pixel_by_pixel) {
   constexpr std::array<std::uint8_t, 3> kBlack = {}, kOrange = {0xe6, 0x9f, 0x00};
   std::set<std::array<std::uint8_t, 3>> colours;

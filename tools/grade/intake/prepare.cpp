@@ -220,6 +220,7 @@ void ask_in_its_form(RunnableSubmission& runnable, const Intake& intake, const f
   asked.folder = runnable.external.folder;
   asked.copies = runnable.external.copies;
   asked.bounds = runnable.external.bounds;
+  declare_over(runnable.external.declares, asked);
   runnable.external = std::move(asked);
 }
 
