@@ -333,6 +333,13 @@ bool Examination::is_of_input(const Ray& ray, const Sphere& sphere, double error
   return std::abs(error) * norm(ray.direction) <= 8 * roundoff() * lengths;
 }
 
+/// Whether an answer is as of a larger sphere than the right one, which differs.
+bool is_outward(const Answer& answer, const Answer& right, const Ray& ray, const Sphere& sphere) {
+  if (answer.choice != right.choice) return answer.choice.has_value();
+  const double middle = parameter_of(sphere.centre, ray);
+  return std::abs(answer.vectors[0].x - middle) > std::abs(right.vectors[0].x - middle);
+}
+
 DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance) {
   DoubtTally all;
   for (const Comparison& comparison : at(step)) {
@@ -364,6 +371,11 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
                                     *s - comparison.right[k].vectors[0].x);
       all.add(is_wrong && !is_excused, is_dropped[k], is_allowed, hit.is_doubtful() || is_wide,
               hit.radii);
+      if (is_wrong && !is_excused) {
+        const bool is_out = is_outward(answer, comparison.right[k], rays[k % rays.size()],
+                                       the_case.scene.spheres[k / rays.size()]);
+        ++(is_out ? all.outward : all.inward);
+      }
       if (is_wrong || !s || returns == Returns::kClass) continue;
       const double exact = comparison.right[k].vectors[0].x;
       ++all.hits;

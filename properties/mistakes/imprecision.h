@@ -2,6 +2,7 @@
 
 // The different answers that correct formulas may give if roundings decide.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -64,6 +65,8 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii);
 inline constexpr std::uint64_t kFewestWrongByRoundings = 3;
 inline constexpr double kMostInDoubt = 0.5;
 inline constexpr double kFewestWrongInDoubt = 0.05;
+/// Roundings err to both sides.
+inline constexpr std::uint64_t kFewestOnOneSide = 3;
 
 /// Counts of answers, and of how the roundings of a formula agree with them.
 struct DoubtTally {
@@ -72,8 +75,14 @@ struct DoubtTally {
   double radii = 0;  ///< The least distance of an allowed wrong answer; 0 if there is none.
   std::uint64_t hits = 0,
                 precise = 0;  ///< Right ones, and those with more digits than floats have.
+  /// Wrong answers as of a larger sphere, and as of a smaller one.
+  std::uint64_t outward = 0, inward = 0;
 
   void add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful, double its_radii);
+  /// Whether all wrong answers are as of a larger sphere, or all as of a smaller one.
+  bool is_one_sided() const {
+    return outward + inward >= kFewestOnOneSide && std::min(outward, inward) == 0;
+  }
   /// Whether no wrong answer contradicts the roundings. tells(): and whether they may be named, as
   /// above.
   bool allows_all() const { return wrong > 0 && not_allowed == 0; }

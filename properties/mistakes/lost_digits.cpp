@@ -129,6 +129,10 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
     if (!tally.tells()) continue;
     // Right answers with more digits than floats have were not computed in floats.
     if (arithmetic != Arithmetic::kDifference && 2 * tally.precise > tally.hits) continue;
+    // A wrong radius errs to one side.
+    const bool is_of_floats =
+        arithmetic == Arithmetic::kSingle || arithmetic == Arithmetic::kSingleDifference;
+    if (is_of_floats && tally.is_one_sided()) continue;
     // In single-precision candidates, floats are not a mistake.
     if (arithmetic == Arithmetic::kSingle && examination.is_single()) continue;
     return AnswerCause{

@@ -209,6 +209,27 @@ TEST(Causes, AreSoughtOutsideSpheresThatAreDeclaredSolid) {
   EXPECT_EQ(sentences_for(candidate), Sentences{half});
 }
 
+/// Doubles with a radius that is slightly wrong are not computed in floats.
+TEST(Causes, OfErrorsToOneSideAreNotRoundings) {
+  for (const double factor : {1 + 1e-5, 1 - 1e-6}) {
+    Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+    answer_by(candidate, [ask = hits_of(candidate), factor](auto rays, scene::Sphere sphere,
+                                                            auto& conventions) {
+      sphere.radius *= factor;
+      return ask(rays, sphere, conventions);
+    });
+    for (const char* name : {"class", "parameter", "hit-point"}) {
+      const auto of = laws_named({name});
+      const auto result = run_campaigns(of, candidate, options_of(400, {}, Level::kOrdinary));
+      if (result[0].finding() != Finding::kBroken) continue;
+      for (const Explanation& one :
+           causes(*of[0], telling_cases(result[0], kCasesOfACause), candidate)) {
+        EXPECT_EQ(one.sentence.find("single precision"), std::string::npos) << one.sentence;
+      }
+    }
+  }
+}
+
 /// The count includes cases that are left out because roots are close to a declared end, and small
 /// errors beside answers that are NaN.
 TEST(Causes, CountAllWrongAnswers) {
