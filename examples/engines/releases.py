@@ -96,7 +96,7 @@ def main():
             continue
         judged_ones = {version: jobs[name, version].result() for version in engine.get("releases", [])}
         absent = [version for version, verdict in judged_ones.items() if verdict is None]
-        missing += [f"- {engine['library']} {version}, or a package that it needs" for version in absent]
+        missing += [f"- {engine['library']} {version} (or a package that it needs)" for version in absent]
         releases = [(version, verdict) for version, verdict in judged_ones.items() if verdict] + [here[name]]
         if not engine.get("releases"):
             releases = [(f"{upstream(version)} (Debian {debian})", verdict) for debian, (version, verdict)
@@ -110,7 +110,10 @@ def main():
         if reasons and not absent:
             sys.exit(f"field: {name}: `changed` in engines.toml names a release that is not in `releases`: {', '.join(reasons)}")
         if len(rows) == listed and len(releases) > 1:
-            same.append(f"- {engine['library']}, `{engine['function']}`: {', '.join(version for version, _ in releases)}")
+            versions = [version for version, _ in releases]
+            if len({version.split()[0] for version in versions}) == 1:
+                versions = [f"{versions[0].split()[0]}, as built for Debian 12 and Debian 13"]
+            same.append(f"- {engine['library']}, `{engine['function']}`: {', '.join(versions)}")
     head = ["library", "function", "before", "after", "what changed", "why"]
     text = "\n".join([*("| " + " | ".join(row) + " |" for row in [head, ["---"] * len(head), *rows]),
                       "", "## The same in every release judged", "", *same,
