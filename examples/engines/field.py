@@ -5,8 +5,7 @@
 prints a table. With --write it makes DOCS/field.md and DOCS/field/NAME.md from the same run: the kinds of answers that are
 wrong for each engine, the severity up to which they are right, and the smallest cases, each with its exact answer and a
 reproduction without raycheck, which is run; with names, the pages and rows of other engines stay as they are, and so do
-those of an engine that fails. Engines whose
-package is missing are listed and skipped. BUILD contains examples/engines (libraries) and field/npm (node).
+those of an engine that fails. Engines whose package is missing are listed and skipped. BUILD contains examples/engines (libraries) and field/npm (node).
 """
 import argparse
 import concurrent.futures
@@ -14,6 +13,7 @@ import fractions
 import json
 import math
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -388,7 +388,7 @@ def answer_text(case, class_alone):
     right = ", ".join(str(decimal(x)) for x in first["exact"])
     of = {"s": "s = ", "Q": "Q = "}.get(first["symbol"], "")
     if first["failed"]:
-        return f"It fails: {first['what']}."
+        return "It fails: " + re.sub(r"/\S*/field/", "", first["what"]) + "."  # without folders of this machine
     if is_residual(first):
         off = {"sphere residual": "the sphere", "ray residual": "the ray"}[first["quantity"]]
         return f"Its answer is {of}{got}, which is off {off} by {first['error']:.3g} {first['unit']}."
